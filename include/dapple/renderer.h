@@ -1,0 +1,79 @@
+/* dapple/renderer.h: from a scene and a time to the water's surface, the caustic map and the picture.
+ *
+ *     scene ─→ surface ─→ light (caustic map) ─→ picture
+ *
+ * A renderer keeps GPU objects and buffers between calls: after the first frame of a scene, a frame allocates
+ * nothing. Without OpenGL (gl = NULL) the surface and, for techniques with a CPU path, the map still work.
+ *
+ * Deterministic: the same scene, time and device give the same bytes.
+ * Threads: one thread at a time, that of the struct dpl_gl where there is one. */
+#ifndef DAPPLE_RENDERER_H
+#define DAPPLE_RENDERER_H
+
+#include "dapple/gl.h"
+#include "dapple/image.h"
+#include "dapple/scene.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Where the surface and the light are computed. */
+enum dpl_device {
+    DPL_DEVICE_AUTO, /* on the GPU; on the CPU where OpenGL itself runs there and that is faster */
+    DPL_DEVICE_GL,   /* always through OpenGL */
+    DPL_DEVICE_CPU,  /* always on the CPU */
+};
+
+struct dpl_renderer;
+
+/* `gl` may be NULL; otherwise it must outlive the renderer. Returns NULL where memory is short. */
+DPL_API struct dpl_renderer *dpl_renderer_create(struct dpl_gl *gl, enum dpl_device device, const struct dpl_log *log);
+DPL_API void dpl_renderer_destroy(struct dpl_renderer *renderer);
+
+/* The water at `time` seconds on its own grid: height in metres, slope along x, slope along z, as the three channels
+ * of a new image. Returns NULL on failure; the caller destroys the image. */
+DPL_API struct dpl_image *dpl_renderer_surface(struct dpl_renderer *renderer, const struct dpl_scene *scene,
+                                               double time);
+
+/* The caustic map of the floor at `time` seconds: irradiance in units of what flat water would give, red green blue.
+ * Returns NULL on failure; the caller destroys the image. */
+DPL_API struct dpl_image *dpl_renderer_map(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time);
+
+/* Draws the scene into a framebuffer of the caller's context (0: the window), over its whole width × height. */
+DPL_API bool dpl_renderer_draw(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time,
+                               unsigned framebuffer, int width, int height);
+
+/* The same into a new image: displayable values 0 to 1. Returns NULL on failure; the caller destroys the image. */
+DPL_API struct dpl_image *dpl_renderer_picture(struct dpl_renderer *renderer, const struct dpl_scene *scene,
+                                               double time, int width, int height);
+
+/* How passes are timed. */
+enum dpl_timing {
+    DPL_TIMING_OFF,
+    DPL_TIMING_QUERIES, /* on the device, a few frames late, without waiting; needs timer_queries */
+    DPL_TIMING_WAIT,    /* by `now`, waiting for the device after each pass: exact, and slower as a whole */
+};
+/* `now` returns seconds of a steady clock; needed for DPL_TIMING_WAIT only. The library itself reads no clock. */
+DPL_API void dpl_renderer_time_passes(struct dpl_renderer *renderer, enum dpl_timing timing, double (*now)(void));
+
+/* The passes of the last frame that was timed, in order; name is NULL past the last. */
+struct dpl_pass_time {
+    const char *name;
+    double milliseconds;
+};
+DPL_API struct dpl_pass_time dpl_renderer_pass_time(const struct dpl_renderer *renderer, int index);
+
+/* Textures of the last frame, for thumbnails; name is NULL past the last. Values 0 to 1 in red, green and blue. */
+struct dpl_thumbnail {
+    const char *name;
+    unsigned texture; /* of the renderer's context, GL_TEXTURE_2D; stays the renderer's */
+    int width, height;
+};
+DPL_API struct dpl_thumbnail dpl_renderer_thumbnail(struct dpl_renderer *renderer, int index);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

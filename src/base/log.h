@@ -1,0 +1,17 @@
+/* base/log.h: reporting, for the code inside. */
+#ifndef BASE_LOG_H
+#define BASE_LOG_H
+
+#include "dapple/log.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Reports an error and returns false, so that a doer can `return base_fail(…)`. */
+bool base_fail(const struct dpl_log *log, enum dpl_reason reason, const char *format, ...) DPL_PRINTF(3, 4);
+void base_warn(const struct dpl_log *log, enum dpl_reason reason, const char *format, ...) DPL_PRINTF(3, 4);
+
+/* calloc() that reports; `what` names what the memory was for. */
+void *base_allocate(const struct dpl_log *log, size_t count, size_t size, const char *what);
+
+#endif

@@ -1,0 +1,143 @@
+#include "gpu/gl.h"
+
+#include "base/log.h"
+#include "gpu/headless.h"
+#include "gpu/texture.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define TEXTURE_UNITS 8 /* those that dapple uses, as dapple/gl.h says */
+
+static bool load_functions(struct dpl_gl *gl, const struct dpl_gl_options *options)
+{
+#define GPU_LOAD(type, name)                                                                                           \
+    gl->name = (type)options->get_proc_address(options->user, "gl" #name);                                             \
+    if (!gl->name)                                                                                                     \
+        return base_fail(gl->log, DPL_REASON_NO_GL, "OpenGL function gl%s is missing", #name);
+    GPU_FUNCTIONS(GPU_LOAD)
+#undef GPU_LOAD
+    return true;
+}
+
+static bool has_extension(struct dpl_gl *gl, const char *name)
+{
+    GLint count = 0;
+    gl->GetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLint i = 0; i < count; i++)
+        if (!strcmp((const char *)gl->GetStringi(GL_EXTENSIONS, (GLuint)i), name))
+            return true;
+    return false;
+}
+
+static bool is_software(const char *renderer)
+{
+    static const char *const names[] = {"llvmpipe", "softpipe", "SwiftShader", "Software Rasterizer"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        if (strstr(renderer, names[i]))
+            return true;
+    return false;
+}
+
+static bool check_version(struct dpl_gl *gl)
+{
+    int major = 0, minor = 0;
+    const char *version = (const char *)gl->GetString(GL_VERSION);
+    if (!version)
+        return base_fail(gl->log, DPL_REASON_NO_GL, "no OpenGL context is current on this thread");
+    gl->info.es = strstr(version, "OpenGL ES") != NULL;
+    gl->GetIntegerv(GL_MAJOR_VERSION, &major);
+    gl->GetIntegerv(GL_MINOR_VERSION, &minor);
+    if (major * 10 + minor < (gl->info.es ? 30 : 33))
+        return base_fail(gl->log, DPL_REASON_NO_GL, "OpenGL is too old: %s (OpenGL 3.3 or OpenGL ES 3.0 is needed)",
+                         version);
+    gl->info.version = version;
+    gl->info.vendor = (const char *)gl->GetString(GL_VENDOR);
+    gl->info.renderer = (const char *)gl->GetString(GL_RENDERER);
+    gl->info.software = is_software(gl->info.renderer);
+    return true;
+}
+
+static void add_fallback(struct dpl_gl *gl, bool lacks, const char *text)
+{
+    int count = 0;
+    while (gl->fallbacks[count])
+        count++;
+    if (lacks && count < GPU_FALLBACKS_MAX)
+        gl->fallbacks[count] = text;
+}
+
+static void detect_abilities(struct dpl_gl *gl, const struct dpl_gl_options *options)
+{
+    gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &gl->info.texture_max);
+    gl->GetIntegerv(GL_MAX_SAMPLES, &gl->info.samples_max);
+    gl->info.float_render = texture_can_render(gl, GL_RGBA32F) && texture_can_render(gl, GL_RG16F) &&
+                            texture_can_render(gl, GL_R16F);
+    gl->info.timer_queries = !gl->info.es || has_extension(gl, "GL_EXT_disjoint_timer_query");
+    if (!gl->info.es)
+        gl->PolygonMode = (PFNGLPOLYGONMODEPROC)options->get_proc_address(options->user, "glPolygonMode");
+    gl->info.polygon_mode = gl->PolygonMode != NULL;
+    add_fallback(gl, !gl->info.float_render, "no drawing to float textures: surfaces and caustic maps are computed on "
+                                             "the CPU and uploaded");
+    add_fallback(gl, !gl->info.timer_queries, "no timer queries: passes are timed by waiting for the device");
+    add_fallback(gl, !gl->info.polygon_mode, "no polygon mode: wireframe is drawn filled");
+    add_fallback(gl, gl->info.software, "OpenGL runs on the CPU: techniques with a CPU path of their own use that "
+                                        "unless --device gl is given");
+}
+
+struct dpl_gl *dpl_gl_create(const struct dpl_gl_options *options, const struct dpl_log *log)
+{
+    struct dpl_gl *gl = base_allocate(log, 1, sizeof *gl, "OpenGL functions");
+    if (!gl)
+        return NULL;
+    gl->log = log;
+    gl->shader_folder = options->shader_folder ? strdup(options->shader_folder) : NULL;
+    if (!load_functions(gl, options) || !check_version(gl)) {
+        free(gl->shader_folder);
+        free(gl);
+        return NULL;
+    }
+    detect_abilities(gl, options);
+    gl->GenVertexArrays(1, &gl->empty_array);
+    return gl;
+}
+
+void dpl_gl_destroy(struct dpl_gl *gl)
+{
+    if (!gl)
+        return;
+    gl->DeleteVertexArrays(1, &gl->empty_array);
+    headless_destroy(gl->headless);
+    free(gl->shader_folder);
+    free(gl);
+}
+
+const struct dpl_gl_info *dpl_gl_describe(const struct dpl_gl *gl)
+{
+    return &gl->info;
+}
+
+const char *dpl_gl_fallback(const struct dpl_gl *gl, int index)
+{
+    return index >= 0 && index < GPU_FALLBACKS_MAX ? gl->fallbacks[index] : NULL;
+}
+
+void gpu_draw_screen(struct dpl_gl *gl)
+{
+    gl->BindVertexArray(gl->empty_array);
+    gl->DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void gpu_leave(struct dpl_gl *gl, unsigned framebuffer)
+{
+    for (GLenum unit = TEXTURE_UNITS; unit-- > 0;) {
+        gl->ActiveTexture(GL_TEXTURE0 + unit);
+        gl->BindTexture(GL_TEXTURE_2D, 0);
+    }
+    gl->UseProgram(0);
+    gl->BindVertexArray(0);
+    gl->BindBuffer(GL_ARRAY_BUFFER, 0);
+    gl->BindRenderbuffer(GL_RENDERBUFFER, 0);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+}

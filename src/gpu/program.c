@@ -1,0 +1,205 @@
+#include "gpu/program.h"
+
+#include "base/file.h"
+#include "base/log.h"
+#include "base/resource.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define SHADER_SIZE_MAX (1 << 20) /* bytes of one file */
+#define INCLUDES_MAX 16
+
+static const char *const dialect_lines[] = {
+    [PROGRAM_GL33] = "#version 330 core\n",
+    [PROGRAM_ES30] = "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n",
+};
+
+/* A text that is being put together from files. */
+struct assembly {
+    FILE *out;
+    const char *shader_folder;
+    const struct dpl_log *log;
+    char included[INCLUDES_MAX][128];
+    int included_count;
+};
+
+static char *read_shader(const struct assembly *assembly, const char *path)
+{
+    if (assembly->shader_folder) {
+        char full[4096];
+        size_t length;
+        snprintf(full, sizeof full, "%s/%s", assembly->shader_folder, path);
+        return file_read(full, SHADER_SIZE_MAX, &length, assembly->log);
+    }
+    const char *text = base_resource_find(path);
+    if (!text)
+        base_fail(assembly->log, DPL_REASON_SHADER, "%s: no such shader is built in", path);
+    return text ? strdup(text) : NULL;
+}
+
+/* Notes the file; false where it was there already. */
+static bool first_time(struct assembly *assembly, const char *path)
+{
+    for (int i = 0; i < assembly->included_count; i++)
+        if (!strcmp(assembly->included[i], path))
+            return false;
+    if (assembly->included_count < INCLUDES_MAX)
+        snprintf(assembly->included[assembly->included_count++], sizeof assembly->included[0], "%s", path);
+    return true;
+}
+
+static bool append_file(struct assembly *assembly, const char *path)
+{
+    if (!first_time(assembly, path))
+        return true;
+    char *text = read_shader(assembly, path);
+    if (!text)
+        return false;
+    int file = assembly->included_count;
+    bool ok = true;
+    int number = 1;
+    fprintf(assembly->out, "#line 1 %d\n", file);
+    for (char *line = text, *next; ok && *line; line = next, number++) {
+        char name[128];
+        next = line + strcspn(line, "\n");
+        next += *next == '\n';
+        if (sscanf(line, "#include \"%127[^\"\n]\"", name) == 1) {
+            ok = append_file(assembly, name);
+            fprintf(assembly->out, "#line %d %d\n", number + 1, file);
+        } else {
+            fwrite(line, 1, (size_t)(next - line), assembly->out);
+        }
+    }
+    free(text);
+    return ok;
+}
+
+static char *assemble(struct assembly *assembly, const char *path, enum program_dialect dialect, bool fragment,
+                      const char *defines)
+{
+    char *source = NULL;
+    size_t size = 0;
+    assembly->out = open_memstream(&source, &size);
+    if (!assembly->out)
+        return NULL;
+    fprintf(assembly->out, "%s#define %s\n%s", dialect_lines[dialect], fragment ? "FRAGMENT" : "VERTEX", defines);
+    bool ok = append_file(assembly, path);
+    if (fclose(assembly->out) == 0 && ok)
+        return source;
+    free(source);
+    return NULL;
+}
+
+char *program_source(const char *path, const char *shader_folder, enum program_dialect dialect, bool fragment,
+                     const char *defines, const struct dpl_log *log)
+{
+    struct assembly assembly = {.shader_folder = shader_folder, .log = log};
+    return assemble(&assembly, path, dialect, fragment, defines);
+}
+
+/* Reports what the driver said; "2:17" there means line 17 of the second file of the list. */
+static bool report(struct dpl_gl *gl, const char *path, const struct assembly *assembly, const char *said)
+{
+    char files[512] = "";
+    for (int i = 0; i < assembly->included_count; i++) {
+        size_t used = strlen(files);
+        snprintf(files + used, sizeof files - used, " %d = %s", i + 1, assembly->included[i]);
+    }
+    return base_fail(gl->log, DPL_REASON_SHADER, "%s: %s (files:%s)", path, said, files);
+}
+
+static GLuint compile_stage(struct dpl_gl *gl, const char *path, bool fragment, const char *defines)
+{
+    struct assembly assembly = {.shader_folder = gl->shader_folder, .log = gl->log};
+    char *source = assemble(&assembly, path, gl->info.es ? PROGRAM_ES30 : PROGRAM_GL33, fragment, defines);
+    if (!source)
+        return 0;
+    GLuint shader = gl->CreateShader(fragment ? GL_FRAGMENT_SHADER : GL_VERTEX_SHADER);
+    const GLchar *text = source;
+    gl->ShaderSource(shader, 1, &text, NULL);
+    gl->CompileShader(shader);
+    free(source);
+    GLint compiled = 0;
+    gl->GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    if (compiled)
+        return shader;
+    char said[512] = "";
+    gl->GetShaderInfoLog(shader, sizeof said, NULL, said);
+    gl->DeleteShader(shader);
+    report(gl, path, &assembly, said);
+    return 0;
+}
+
+static GLuint link_stages(struct dpl_gl *gl, const char *path, GLuint vertex, GLuint fragment)
+{
+    GLuint name = gl->CreateProgram();
+    gl->AttachShader(name, vertex);
+    gl->AttachShader(name, fragment);
+    gl->LinkProgram(name);
+    GLint linked = 0;
+    gl->GetProgramiv(name, GL_LINK_STATUS, &linked);
+    if (linked)
+        return name;
+    char said[512] = "";
+    gl->GetProgramInfoLog(name, sizeof said, NULL, said);
+    gl->DeleteProgram(name);
+    base_fail(gl->log, DPL_REASON_SHADER, "%s: does not link: %s", path, said);
+    return 0;
+}
+
+bool program_build(struct dpl_gl *gl, struct gpu_program *program, const char *path, const char *defines)
+{
+    GLuint vertex = compile_stage(gl, path, false, defines);
+    GLuint fragment = vertex ? compile_stage(gl, path, true, defines) : 0;
+    GLuint name = fragment ? link_stages(gl, path, vertex, fragment) : 0;
+    gl->DeleteShader(vertex);
+    gl->DeleteShader(fragment);
+    if (!name)
+        return false;
+    gl->DeleteProgram(program->name);
+    program->name = name;
+    return true;
+}
+
+void program_finish(struct dpl_gl *gl, struct gpu_program *program)
+{
+    gl->DeleteProgram(program->name);
+    program->name = 0;
+}
+
+void program_use(struct dpl_gl *gl, const struct gpu_program *program)
+{
+    gl->UseProgram(program->name);
+}
+
+void program_int(struct dpl_gl *gl, const struct gpu_program *program, const char *name, int value)
+{
+    gl->Uniform1i(gl->GetUniformLocation(program->name, name), value);
+}
+
+void program_float(struct dpl_gl *gl, const struct gpu_program *program, const char *name, double value)
+{
+    gl->Uniform1f(gl->GetUniformLocation(program->name, name), (GLfloat)value);
+}
+
+void program_vec2(struct dpl_gl *gl, const struct gpu_program *program, const char *name, double x, double y)
+{
+    gl->Uniform2f(gl->GetUniformLocation(program->name, name), (GLfloat)x, (GLfloat)y);
+}
+
+void program_vec3(struct dpl_gl *gl, const struct gpu_program *program, const char *name, const double value[3])
+{
+    gl->Uniform3f(gl->GetUniformLocation(program->name, name), (GLfloat)value[0], (GLfloat)value[1], (GLfloat)value[2]);
+}
+
+void program_vec4s(struct dpl_gl *gl, const struct gpu_program *program, const char *name, int count,
+                   const float *values)
+{
+    gl->Uniform4fv(gl->GetUniformLocation(program->name, name), count, values);
+}
+
+void program_mat4(struct dpl_gl *gl, const struct gpu_program *program, const char *name, const float *columns)
+{
+    gl->UniformMatrix4fv(gl->GetUniformLocation(program->name, name), 1, GL_FALSE, columns);
+}

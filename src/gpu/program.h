@@ -1,0 +1,49 @@
+/* gpu/program.h: shader programs from files without a version line.
+ *
+ * A shader file holds both stages, split by the stage's define:
+ *
+ *     #include "gpu/screen.glsl"      the vertex stage of a pass over the whole target
+ *     #ifdef FRAGMENT
+ *     out float map;
+ *     void main() { … }
+ *     #endif
+ *
+ * The loader puts in front: the dialect ("#version 330 core", or "#version 300 es" with its precisions), the stage's
+ * define, the caller's defines; and it expands #include "folder/file.glsl", each file once. Files are those built into
+ * the library, or those of the folder that dpl_gl_options names; a message keeps file and line. */
+#ifndef GPU_PROGRAM_H
+#define GPU_PROGRAM_H
+
+#include "gpu/gl.h"
+
+struct gpu_program {
+    GLuint name;
+};
+
+/* `defines` is text such as "#define STEPS 3\n" or "". On failure the program stays as it was (so that a shader that
+ * is being edited does not take the picture away) and the reason is logged. */
+bool program_build(struct dpl_gl *gl, struct gpu_program *program, const char *path, const char *defines);
+
+/* Takes a zeroed one. Leaves it zeroed. */
+void program_finish(struct dpl_gl *gl, struct gpu_program *program);
+
+/* Makes it current. */
+void program_use(struct dpl_gl *gl, const struct gpu_program *program);
+
+/* Uniforms of the program in use, by name; a name that the compiler dropped is ignored. */
+void program_int(struct dpl_gl *gl, const struct gpu_program *program, const char *name, int value);
+void program_float(struct dpl_gl *gl, const struct gpu_program *program, const char *name, double value);
+void program_vec2(struct dpl_gl *gl, const struct gpu_program *program, const char *name, double x, double y);
+void program_vec3(struct dpl_gl *gl, const struct gpu_program *program, const char *name, const double value[3]);
+void program_vec4s(struct dpl_gl *gl, const struct gpu_program *program, const char *name, int count,
+                   const float *values);
+void program_mat4(struct dpl_gl *gl, const struct gpu_program *program, const char *name, const float *columns);
+
+enum program_dialect { PROGRAM_GL33, PROGRAM_ES30 };
+
+/* The whole text of one stage as it is compiled: what the tests hand to a validator. The caller frees it; NULL, with the
+ * reason logged, where a file is missing. */
+char *program_source(const char *path, const char *shader_folder, enum program_dialect dialect, bool fragment,
+                     const char *defines, const struct dpl_log *log);
+
+#endif

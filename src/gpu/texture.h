@@ -1,0 +1,36 @@
+/* gpu/texture.h: textures that can be drawn to, and uploads. */
+#ifndef GPU_TEXTURE_H
+#define GPU_TEXTURE_H
+
+#include "gpu/gl.h"
+
+enum texture_wrap { TEXTURE_CLAMP, TEXTURE_REPEAT };
+enum texture_filter { TEXTURE_NEAREST, TEXTURE_LINEAR, TEXTURE_MIPMAP };
+
+/* A 2D texture with, once drawn to, a framebuffer of its own. All zero: none yet. */
+struct gpu_texture {
+    GLuint name, framebuffer;
+    GLenum format; /* sized internal format */
+    int width, height;
+};
+
+/* Makes the texture that size and format, or leaves it where it already is; contents are undefined after a change. */
+void texture_resize(struct dpl_gl *gl, struct gpu_texture *texture, GLenum format, int width, int height,
+                    enum texture_wrap wrap, enum texture_filter filter);
+
+/* Replaces the contents by rows of floats, as many a texel as the format has channels. */
+void texture_upload(struct dpl_gl *gl, const struct gpu_texture *texture, const float *texels);
+
+/* Binds the texture's framebuffer and sets the viewport to all of it. */
+void texture_draw_to(struct dpl_gl *gl, struct gpu_texture *texture);
+
+/* Binds to a texture unit. */
+void texture_bind(struct dpl_gl *gl, const struct gpu_texture *texture, GLenum unit);
+
+/* Takes a zeroed one. Leaves it zeroed. */
+void texture_finish(struct dpl_gl *gl, struct gpu_texture *texture);
+
+/* True where the device can draw to textures of that format. */
+bool texture_can_render(struct dpl_gl *gl, GLenum format);
+
+#endif

@@ -1,0 +1,47 @@
+/* The GPU's half of multi_sample.c; the steps are numbered as there. */
+#include "gpu/screen.glsl"
+
+#ifdef FRAGMENT
+uniform sampler2D normals;                 /* x and z of the unit normal */
+uniform sampler2D table;                   /* steps 4 and 5 by the squared cosine */
+uniform int lines;                         /* samples a side */
+uniform float first_offset, offset_step;   /* map widths */
+uniform vec4 rays[64];                     /* direction to the water, weight */
+uniform float normal_keep, power, table_start;
+out float map;
+
+/* Repeats the map as its mirror image beyond its edges. */
+float mirror(float x)
+{
+    return 1.0 - abs(mod(x, 2.0) - 1.0);
+}
+
+float brightness(vec2 place, vec4 ray)
+{
+    vec2 n = texture(normals, place).xy;
+    float across = dot(n, n);
+    float up = sqrt(max(1.0 - across, 0.0));
+    float weight = dot(ray.xyz, vec3(n.x, up, n.y));            /* step 2 */
+    float square = weight * weight;
+    square *= square;
+    square *= square;
+    square *= square;                                           /* τ¹⁶ */
+    float height = (1.0 - normal_keep * square * square) * up;  /* step 3 */
+    float total = height * height + across;
+    float cosine = total > 0.0 ? height * height / total : 1.0; /* still water seen from straight below: up */
+    float entry = clamp((cosine - table_start) / (1.0 - table_start), 0.0, 1.0);
+    int last = textureSize(table, 0).x - 1;
+    return ray.w * texelFetch(table, ivec2(int(entry * float(last) + 0.5), 0), 0).x;
+}
+
+void main()
+{
+    float sum = 0.0;
+    for (int l = 0; l < lines; l++) {
+        float z = mirror(target.y + first_offset + float(l) * offset_step);
+        for (int k = 0; k < lines; k++)
+            sum += brightness(vec2(mirror(target.x + first_offset + float(k) * offset_step), z), rays[l * lines + k]);
+    }
+    map = min(pow(sum, power), 1.0);
+}
+#endif

@@ -1,0 +1,166 @@
+/* The CPU's half of multi_sample.c.
+ *
+ * The samples of neighbouring texels are neighbours too, so nothing is gathered: a row of normals is blended once for
+ * each line of samples, and each sample of a whole row of texels reads a run of it. Rows carry their mirror image on both
+ * sides, so that a run never leaves its row. Threads share rows; the result does not depend on their number. */
+#include "light/multi_sample.h"
+
+#include "base/log.h"
+#include "base/threads.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#if defined(__x86_64__) && defined(__gnu_linux__)
+#define VECTOR_CLONES __attribute__((target_clones("avx2,fma", "default")))
+#else
+#define VECTOR_CLONES
+#endif
+
+/* Texels of a row with its margins: half a width on either side, and one more for the last blend. */
+static size_t stride_of(int side)
+{
+    return (size_t)(2 * side + 2);
+}
+
+/* Index of a texel of the mirrored, endlessly repeated row. */
+static int mirrored(int i, int side)
+{
+    int place = i % (2 * side);
+    if (place < 0)
+        place += 2 * side;
+    return place < side ? place : 2 * side - 1 - place;
+}
+
+static bool resize_buffers(struct multi_sample_state *state, int side, const struct dpl_log *log)
+{
+    if (state->normals_x && state->side == side && state->threads == threads_most())
+        return true;
+    multi_sample_free_buffers(state);
+    size_t stride = stride_of(side);
+    state->normals_x = base_allocate(log, stride * (size_t)side, sizeof(float), "normals");
+    state->normals_z = base_allocate(log, stride * (size_t)side, sizeof(float), "normals");
+    state->blended = base_allocate(log, stride * 2 * (size_t)threads_most(), sizeof(float), "normals");
+    state->side = side;
+    state->threads = threads_most();
+    return state->normals_x && state->normals_z && state->blended;
+}
+
+void multi_sample_free_buffers(struct multi_sample_state *state)
+{
+    free(state->normals_x);
+    free(state->normals_z);
+    free(state->blended);
+    state->normals_x = state->normals_z = state->blended = NULL;
+}
+
+static void fill_normals(struct multi_sample_state *state, const struct surface *surface)
+{
+    int side = state->side, margin = side / 2 + 1;
+    size_t stride = stride_of(side);
+#pragma omp parallel for
+    for (int j = 0; j < side; j++) {
+        float *row_x = state->normals_x + (size_t)j * stride, *row_z = state->normals_z + (size_t)j * stride;
+        double z = ((j + 0.5) / side - 0.5) * surface->size;
+        for (int i = 0; i < side; i++) {
+            float normal[2];
+            surface_normal(surface, ((i + 0.5) / side - 0.5) * surface->size, z, normal);
+            row_x[margin + i] = normal[0];
+            row_z[margin + i] = normal[1];
+        }
+        for (int i = 0; i < (int)stride; i++) {
+            row_x[i] = row_x[margin + mirrored(i - margin, side)];
+            row_z[i] = row_z[margin + mirrored(i - margin, side)];
+        }
+    }
+}
+
+/* Blends two rows. */
+VECTOR_CLONES static void blend_rows(const float *restrict first, const float *restrict second, float part, int count,
+                                     float *restrict out)
+{
+    for (int i = 0; i < count; i++)
+        out[i] = first[i] + part * (second[i] - first[i]);
+}
+
+/* Adds one sample, steps 2 to 5, to a row of texels. `x` and `z` are runs of the blended row. */
+VECTOR_CLONES static void add_sample(const float *restrict x, const float *restrict z, float part, int count,
+                                     const struct multi_sample_plan *restrict plan,
+                                     const struct multi_sample_ray *restrict ray, float *restrict sum)
+{
+    const float *direction = ray->direction, keep = plan->normal_keep, start = plan->table_start;
+    const float scale = (float)(MULTI_SAMPLE_TABLE - 1) / (1.0f - start), weight = ray->weight;
+    const float dx = direction[0], dy = direction[1], dz = direction[2];
+    const float *restrict table = plan->table;
+    for (int i = 0; i < count; i++) {
+        float nx = x[i] + part * (x[i + 1] - x[i]), nz = z[i] + part * (z[i + 1] - z[i]);
+        float across = nx * nx + nz * nz;
+        float up_square = 1.0f - across;
+        float up = sqrtf(up_square > 0.0f ? up_square : 0.0f);
+        float square = dx * nx + dy * up + dz * nz;
+        square *= square;
+        square *= square;
+        square *= square;
+        square *= square; /* τ¹⁶ */
+        float height = (1.0f - keep * square * square) * up;
+        float total = height * height + across;
+        float cosine = total > 0.0f ? height * height / total : 1.0f;
+        float entry = (cosine - start) * scale;
+        entry = entry > 0.0f ? entry : 0.0f;
+        sum[i] += weight * table[(int)(entry + 0.5f)];
+    }
+}
+
+/* Splits an offset in texels into whole texels and a part. */
+static int whole_texels(double texels, float *part)
+{
+    double whole = floor(texels + 1e-6);
+    *part = (float)fmax(texels - whole, 0);
+    return (int)whole;
+}
+
+/* One row of texels. */
+static void trace_row(const struct multi_sample_state *state, int j, float *restrict out)
+{
+    const struct multi_sample_plan *plan = &state->plan;
+    int side = state->side;
+    size_t stride = stride_of(side);
+    float *blended_x = state->blended + (size_t)threads_index() * 2 * stride, *blended_z = blended_x + stride;
+    for (int i = 0; i < side; i++)
+        out[i] = 0.0f;
+    for (int l = 0; l < plan->lines; l++) {
+        float part;
+        int row = j + whole_texels((double)plan->offsets[l] * side, &part);
+        size_t first = (size_t)mirrored(row, side) * stride, second = (size_t)mirrored(row + 1, side) * stride;
+        blend_rows(state->normals_x + first, state->normals_x + second, part, (int)stride, blended_x);
+        blend_rows(state->normals_z + first, state->normals_z + second, part, (int)stride, blended_z);
+        for (int k = 0; k < plan->lines; k++) {
+            int run = side / 2 + 1 + whole_texels((double)plan->offsets[k] * side, &part);
+            add_sample(blended_x + run, blended_z + run, part, side, plan, plan->rays + l * plan->lines + k, out);
+        }
+    }
+}
+
+/* Step 6. */
+VECTOR_CLONES static void finish_row(float power, int count, float *restrict row)
+{
+    for (int i = 0; i < count; i++) {
+        float value = powf(row[i], power);
+        row[i] = value < 1.0f ? value : 1.0f;
+    }
+}
+
+bool multi_sample_trace(void *state_, const struct light_input *input, struct light_map *map)
+{
+    struct multi_sample_state *state = state_;
+    if (!multi_sample_prepare(state, input) || !resize_buffers(state, map->side, input->log))
+        return false;
+    fill_normals(state, input->surface);
+#pragma omp parallel for
+    for (int j = 0; j < map->side; j++) {
+        float *row = map->texels + (size_t)j * (size_t)map->side;
+        trace_row(state, j, row);
+        finish_row(state->plan.power, map->side, row);
+    }
+    return true;
+}

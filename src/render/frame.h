@@ -1,0 +1,20 @@
+/* render/frame.h: what every look gets to draw a picture from. */
+#ifndef RENDER_FRAME_H
+#define RENDER_FRAME_H
+
+#include "gpu/target.h"
+#include "gpu/timer.h"
+#include "scene/scene.h"
+
+struct frame {
+    struct dpl_gl *gl;
+    const struct dpl_scene *scene;
+    const struct surface_gpu *surface;
+    const struct gpu_texture *map; /* the caustic map */
+    int map_channels;
+    const struct gpu_texture *sand;
+    float view_projection[16]; /* columns; world to clip space */
+    struct gpu_timer *timer;
+};
+
+#endif

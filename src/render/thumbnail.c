@@ -1,0 +1,31 @@
+#include "render/thumbnail.h"
+
+#define SIDE 256 /* texels */
+
+static const char *const names[THUMBNAILS] = {"normals", "caustic map"};
+
+struct dpl_thumbnail thumbnails_draw(struct dpl_gl *gl, struct thumbnails *thumbnails, int index,
+                                     const struct surface_gpu *surface, const struct gpu_texture *map)
+{
+    if (index < 0 || index >= THUMBNAILS ||
+        (!thumbnails->program.name && !program_build(gl, &thumbnails->program, "render/thumbnail.glsl", "")))
+        return (struct dpl_thumbnail){0};
+    struct gpu_texture *texture = thumbnails->textures + index;
+    texture_resize(gl, texture, GL_RGBA8, SIDE, SIDE, TEXTURE_CLAMP, TEXTURE_LINEAR);
+    texture_draw_to(gl, texture);
+    program_use(gl, &thumbnails->program);
+    surface_gpu_bind(gl, surface, &thumbnails->program, 0);
+    texture_bind(gl, map, 1);
+    program_int(gl, &thumbnails->program, "light_texels", 1);
+    program_int(gl, &thumbnails->program, "light_channels", map->format == GL_R16F || map->format == GL_R32F ? 1 : 3);
+    program_int(gl, &thumbnails->program, "subject", index);
+    gpu_draw_screen(gl);
+    return (struct dpl_thumbnail){names[index], texture->name, SIDE, SIDE};
+}
+
+void thumbnails_finish(struct dpl_gl *gl, struct thumbnails *thumbnails)
+{
+    program_finish(gl, &thumbnails->program);
+    for (int i = 0; i < THUMBNAILS; i++)
+        texture_finish(gl, thumbnails->textures + i);
+}

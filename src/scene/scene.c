@@ -1,0 +1,166 @@
+#include "scene/scene.h"
+
+#include "base/log.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+static const struct dpl_param settings_params[] = {
+    PARAM_FLOAT(struct scene_settings, size, 4, 0.01, 10000, "m", "side of the square tile of water"),
+    PARAM_FLOAT(struct scene_settings, depth, 1, 0, 1000, "m", "from the rest surface down to the floor"),
+    PARAM_FLOAT(struct scene_settings, loop, 0, 0, 3600, "s", "every wave repeats after this time; 0 = no loop"),
+    PARAM_INT(struct scene_settings, seed, 1, 0, 1000000, "", "start of everything random (grains of sand)"),
+    PARAM_END,
+};
+
+static const struct dpl_param camera_params[] = {
+    PARAM_FLOATS(struct scene_camera, position, 3, -10000, 10000, "m", "place of the eye", 0, 0.2, 4),
+    PARAM_FLOATS(struct scene_camera, target, 3, -10000, 10000, "m", "place that is looked at", 0, -0.6, 0),
+    PARAM_FLOAT(struct scene_camera, field_of_view, 45, 1, 150, "degrees", "height of the view"),
+    PARAM_FLOAT(struct scene_camera, near_plane, 0.1, 0.001, 9, "m", "nothing nearer is seen"),
+    PARAM_FLOAT(struct scene_camera, far_plane, 100, 10, 100000, "m", "nothing farther is seen"),
+    PARAM_END,
+};
+
+static const struct dpl_param floor_params[] = {
+    PARAM_COLOR(struct scene_floor, color, 1, "mean colour of the sand", 0.71, 0.67, 0.51),
+    PARAM_FLOAT(struct scene_floor, contrast, 1, 0, 4, "", "how much the sand's brightness varies; 0 = plain"),
+    PARAM_FLOAT(struct scene_floor, grain, 0.008, 0.0005, 1, "m", "size of the smallest spots of the sand"),
+    PARAM_END,
+};
+
+static const struct dpl_param render_params[] = {
+    PARAM_CHOICE(struct scene_render, look, LOOK_COLLARD, look_name, "how the scene is shaded"),
+    PARAM_COLOR(struct scene_render, background, 1, "colour where there is nothing", 51.0 / 255, 71.0 / 255, 79.0 / 255),
+    PARAM_INT(struct scene_render, samples, 1, 1, 16, "", "samples a pixel, for smooth edges (1, 2, 4, 8 or 16)"),
+    PARAM_BOOL(struct scene_render, wireframe, false, "draw only the edges of triangles"),
+    PARAM_END,
+};
+
+/* Sections whose number is fixed. */
+struct fixed_section {
+    const char *name, *help;
+    const struct dpl_param *params;
+    size_t offset; /* of the values in struct dpl_scene */
+};
+static const struct fixed_section fixed_sections[] = {
+    {"scene", "the tile of water", settings_params, offsetof(struct dpl_scene, settings)},
+    {"sun", "the sun", light_sun_params, offsetof(struct dpl_scene, sun)},
+    {"water", "the water and its waves", light_medium_params, offsetof(struct dpl_scene, medium)},
+    {"caustics", "the caustic map", light_settings_params, offsetof(struct dpl_scene, caustics)},
+    {"camera", "the view", camera_params, offsetof(struct dpl_scene, camera)},
+    {"floor", "the sand", floor_params, offsetof(struct dpl_scene, floor)},
+    {"render", "the picture", render_params, offsetof(struct dpl_scene, render)},
+    {"look.collard", "shading as in Collard & Mundi 2022", look_collard_params,
+     offsetof(struct dpl_scene, look_collard)},
+};
+enum { FIXED_COUNT = sizeof fixed_sections / sizeof *fixed_sections, FIXED_LOOK_COLLARD = FIXED_COUNT - 1 };
+
+static void *allocate_params(const struct dpl_param *params, size_t size, const struct dpl_log *log)
+{
+    void *values = params ? base_allocate(log, 1, size, "scene") : NULL;
+    if (values)
+        param_defaults(params, values);
+    return values;
+}
+
+struct dpl_scene *dpl_scene_create(const struct dpl_log *log)
+{
+    struct dpl_scene *scene = base_allocate(log, 1, sizeof *scene, "scene");
+    if (!scene)
+        return NULL;
+    scene->log = log;
+    for (int i = 0; i < FIXED_COUNT; i++)
+        param_defaults(fixed_sections[i].params, (char *)scene + fixed_sections[i].offset);
+    for (int w = 0; w < WATER_WAVES_MAX; w++) {
+        param_defaults(water_wave_params, scene->waves + w);
+        snprintf(scene->wave_names[w], sizeof scene->wave_names[w], "wave.%d", w + 1);
+    }
+    bool ok = true;
+    for (int i = 0; water_models[i]; i++) {
+        const struct water_model *model = water_models[i];
+        scene->model_params[i] = allocate_params(model->params, model->params_size, log);
+        ok = ok && (!model->params || scene->model_params[i]);
+    }
+    for (int i = 0; light_techniques[i]; i++) {
+        const struct light_technique *technique = light_techniques[i];
+        scene->technique_params[i] = allocate_params(technique->params, technique->params_size, log);
+        ok = ok && (!technique->params || scene->technique_params[i]);
+    }
+    if (ok)
+        return scene;
+    dpl_scene_destroy(scene);
+    return NULL;
+}
+
+void dpl_scene_destroy(struct dpl_scene *scene)
+{
+    if (!scene)
+        return;
+    for (int i = 0; water_models[i]; i++)
+        free(scene->model_params[i]);
+    for (int i = 0; light_techniques[i]; i++)
+        free(scene->technique_params[i]);
+    free(scene);
+}
+
+/* The index-th wave that is present. */
+static struct dpl_section wave_section(const struct dpl_scene *scene, int index)
+{
+    for (int w = 0; w < WATER_WAVES_MAX; w++)
+        if (scene->wave_present[w] && index-- == 0)
+            return (struct dpl_section){scene->wave_names[w], "one wave of the model `sines`", water_wave_params,
+                                        (void *)(scene->waves + w), scene->medium.model == 0};
+    return (struct dpl_section){0};
+}
+
+struct dpl_section dpl_scene_section(const struct dpl_scene *scene, int index)
+{
+    char *base = (char *)scene;
+    if (index < FIXED_COUNT) {
+        const struct fixed_section *fixed = fixed_sections + index;
+        bool active = index != FIXED_LOOK_COLLARD || scene->render.look == LOOK_COLLARD;
+        return (struct dpl_section){fixed->name, fixed->help, fixed->params, base + fixed->offset, active};
+    }
+    index -= FIXED_COUNT;
+    for (int i = 0; water_models[i]; i++)
+        if (water_models[i]->params && index-- == 0)
+            return (struct dpl_section){water_models[i]->name, water_models[i]->summary, water_models[i]->params,
+                                        scene->model_params[i], scene->medium.model == i};
+    for (int i = 0; light_techniques[i]; i++)
+        if (light_techniques[i]->params && index-- == 0)
+            return (struct dpl_section){light_techniques[i]->name, light_techniques[i]->summary,
+                                        light_techniques[i]->params, scene->technique_params[i],
+                                        scene->caustics.technique == i};
+    return wave_section(scene, index);
+}
+
+struct water_setup scene_water_setup(const struct dpl_scene *scene, struct wave *waves)
+{
+    int count = 0;
+    for (int w = 0; w < WATER_WAVES_MAX; w++)
+        if (scene->wave_present[w])
+            waves[count++] = scene->waves[w];
+    return (struct water_setup){
+        .size = scene->settings.size,
+        .depth = scene->settings.depth,
+        .loop = scene->settings.loop,
+        .mesh = scene->caustics.mesh,
+        .waves = waves,
+        .wave_count = count,
+        .params = scene->model_params[scene->medium.model],
+    };
+}
+
+struct dpl_entry dpl_water_model(int index)
+{
+    const struct water_model *model = water_models[index];
+    return model ? (struct dpl_entry){model->name, model->summary, model->source} : (struct dpl_entry){0};
+}
+
+struct dpl_entry dpl_technique(int index)
+{
+    const struct light_technique *technique = light_techniques[index];
+    return technique ? (struct dpl_entry){technique->name, technique->summary, technique->source}
+                     : (struct dpl_entry){0};
+}

@@ -1,0 +1,56 @@
+/* scene/scene.h: the scene's values, for the code that renders them. */
+#ifndef SCENE_SCENE_H
+#define SCENE_SCENE_H
+
+#include "dapple/scene.h"
+#include "light/light.h"
+#include "scene/look.h"
+#include "water/water.h"
+
+#define SCENE_MODELS_MAX 16
+#define SCENE_TECHNIQUES_MAX 16
+
+struct scene_settings {
+    double size, depth, loop;
+    int seed;
+};
+
+struct scene_camera {
+    double position[3], target[3];
+    double field_of_view; /* degrees, vertical */
+    double near_plane, far_plane;
+};
+
+struct scene_floor {
+    double color[3];
+    double contrast, grain;
+};
+
+struct scene_render {
+    int look; /* enum scene_look */
+    double background[3];
+    int samples;
+    bool wireframe;
+};
+
+struct dpl_scene {
+    const struct dpl_log *log;
+    struct scene_settings settings;
+    struct light_sun sun;
+    struct light_medium medium;
+    struct light_settings caustics;
+    struct scene_camera camera;
+    struct scene_floor floor;
+    struct scene_render render;
+    struct look_collard look_collard;
+    void *model_params[SCENE_MODELS_MAX];         /* as water_models; NULL: it has none */
+    void *technique_params[SCENE_TECHNIQUES_MAX]; /* as light_techniques */
+    struct wave waves[WATER_WAVES_MAX];           /* [wave.N] is entry N - 1 */
+    bool wave_present[WATER_WAVES_MAX];
+    char wave_names[WATER_WAVES_MAX][12]; /* "wave.1", … */
+};
+
+/* The parts of a scene that a water model sees. `waves` is room for WATER_WAVES_MAX, filled with those present. */
+struct water_setup scene_water_setup(const struct dpl_scene *scene, struct wave *waves);
+
+#endif

@@ -1,0 +1,276 @@
+/* Scene text: reading, setting one value, writing. */
+#include "base/file.h"
+#include "base/log.h"
+#include "base/resource.h"
+#include "scene/scene.h"
+
+#include <ini.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define SCENE_TEXT_MAX (1 << 20) /* bytes */
+#define VALUE_SIZE 512           /* bytes of one value as text */
+#define PLACE_SIZE 512           /* bytes of "file:line: section.key" */
+
+/* Scene text on its way through the INI parser. */
+struct reading {
+    struct dpl_scene *scene;
+    const char *name;       /* of the file, for messages */
+    const char *next, *end; /* text not read yet */
+    int line;               /* of the line read last, from 1 */
+    bool failed;
+};
+
+/* "one of [scene], [sun], …" */
+static void list_sections(const struct dpl_scene *scene, char *text, size_t size)
+{
+    size_t used = 0;
+    for (int i = 0; dpl_scene_section(scene, i).name && used < size; i++) {
+        const char *name = dpl_scene_section(scene, i).name;
+        if (strncmp(name, "wave.", 5))
+            used += (size_t)snprintf(text + used, size - used, "%s, ", name);
+    }
+    if (used < size)
+        snprintf(text + used, size - used, "wave.1 to wave.%d", WATER_WAVES_MAX);
+}
+
+static void list_keys(const struct dpl_param *params, char *text, size_t size)
+{
+    size_t used = 0;
+    for (; params->name && used < size; params++)
+        used += (size_t)snprintf(text + used, size - used, "%s%s", used ? ", " : "", params->name);
+}
+
+/* The N - 1 of "wave.N", -1 where that is not what the name is. */
+static int wave_number(const char *section)
+{
+    int number = 0, length = 0;
+    if (sscanf(section, "wave.%2d%n", &number, &length) != 1 || section[length] || number < 1 ||
+        number > WATER_WAVES_MAX || section[5] == '0')
+        return -1;
+    return number - 1;
+}
+
+/* The section of that name, a wave's also where it is not there yet; NULL-named where there is none. */
+static struct dpl_section find_section(const struct dpl_scene *scene, const char *name)
+{
+    int wave = wave_number(name);
+    if (wave >= 0)
+        return (struct dpl_section){scene->wave_names[wave], "", water_wave_params, (void *)(scene->waves + wave),
+                                    true};
+    for (int i = 0;; i++) {
+        struct dpl_section section = dpl_scene_section(scene, i);
+        if (!section.name || !strcmp(section.name, name))
+            return section;
+    }
+}
+
+/* Finds the value's description. `place` opens the message: "pool.ini:12: " or "". */
+static const struct dpl_param *find_value(const struct dpl_scene *scene, const char *place, const char *section_name,
+                                          const char *key, struct dpl_section *section)
+{
+    char accepted[VALUE_SIZE];
+    *section = find_section(scene, section_name);
+    if (!section->name) {
+        list_sections(scene, accepted, sizeof accepted);
+        base_fail(scene->log, DPL_REASON_UNKNOWN_SECTION, "%s%s.%s: no such section: \"%s\" (accepted: %s)", place,
+                  section_name, key, section_name, accepted);
+        return NULL;
+    }
+    const struct dpl_param *param = param_find(section->params, key);
+    if (!param) {
+        list_keys(section->params, accepted, sizeof accepted);
+        base_fail(scene->log, DPL_REASON_UNKNOWN_KEY, "%s%s.%s: no such key: \"%s\" (accepted: %s)", place,
+                  section_name, key, key, accepted);
+    }
+    return param;
+}
+
+static bool assign(struct dpl_scene *scene, const char *place, const char *section_name, const char *key,
+                   const char *value)
+{
+    struct dpl_section section;
+    const struct dpl_param *param = find_value(scene, place, section_name, key, &section);
+    char where[PLACE_SIZE];
+    snprintf(where, sizeof where, "%.420s%.60s.%.30s", place, section_name, key);
+    if (!param || !param_parse(param, section.values, value, where, scene->log))
+        return false;
+    int wave = wave_number(section_name);
+    if (wave >= 0)
+        scene->wave_present[wave] = true;
+    return true;
+}
+
+/* Splits "section.key" at its last dot. */
+static bool split_key(const struct dpl_scene *scene, const char *name, char section[64], const char **key)
+{
+    const char *dot = strrchr(name, '.');
+    if (!dot || dot == name || !dot[1] || dot - name >= 64)
+        return base_fail(scene->log, DPL_REASON_UNKNOWN_KEY,
+                         "%.80s: not the name of a value (accepted: section.key, as in sun.elevation)", name);
+    memcpy(section, name, (size_t)(dot - name));
+    section[dot - name] = '\0';
+    *key = dot + 1;
+    return true;
+}
+
+bool dpl_scene_set(struct dpl_scene *scene, const char *name, const char *value)
+{
+    char section[64];
+    const char *key = NULL;
+    return split_key(scene, name, section, &key) && assign(scene, "", section, key, value);
+}
+
+bool dpl_scene_get(const struct dpl_scene *scene, const char *name, char *value, size_t size)
+{
+    char section_name[64];
+    const char *key = NULL;
+    struct dpl_section section;
+    if (!split_key(scene, name, section_name, &key))
+        return false;
+    const struct dpl_param *param = find_value(scene, "", section_name, key, &section);
+    if (!param)
+        return false;
+    return dpl_param_format(param, section.values, value, size) ||
+           base_fail(scene->log, DPL_REASON_LIMIT, "%s: the value does not fit into %zu bytes", name, size);
+}
+
+static void fail_line(struct reading *reading, const char *what)
+{
+    if (!reading->failed)
+        base_fail(reading->scene->log, DPL_REASON_SYNTAX, "%s:%d: %s", reading->name, reading->line, what);
+    reading->failed = true;
+}
+
+/* Hands the parser one line: without leading blanks (it would take them for a continued value) and without a comment
+ * that starts with " #". */
+static char *next_line(char *line, int size, void *user)
+{
+    struct reading *reading = user;
+    if (reading->next == reading->end || reading->failed)
+        return NULL;
+    const char *stop = memchr(reading->next, '\n', (size_t)(reading->end - reading->next));
+    stop = stop ? stop : reading->end;
+    const char *start = reading->next;
+    while (start < stop && (*start == ' ' || *start == '\t'))
+        start++;
+    size_t length = (size_t)(stop - start);
+    reading->next = stop < reading->end ? stop + 1 : stop;
+    reading->line++;
+    if (length + 2 > (size_t)size) {
+        fail_line(reading, "line too long (at most 197 bytes)");
+        return NULL;
+    }
+    memcpy(line, start, length);
+    line[length] = '\n';
+    line[length + 1] = '\0';
+    char *comment = strstr(line, " #");
+    if (comment)
+        strcpy(comment, "\n");
+    return line;
+}
+
+/* Called by the parser with each value. */
+static int take_value(void *user, const char *section, const char *key, const char *value)
+{
+    struct reading *reading = user;
+    if (!*section)
+        fail_line(reading, "a value outside of any section (accepted: [section] lines first)");
+    if (reading->failed)
+        return 1;
+    char place[PLACE_SIZE];
+    snprintf(place, sizeof place, "%.400s:%d: ", reading->name, reading->line);
+    reading->failed = !assign(reading->scene, place, section, key, value ? value : "");
+    return 1;
+}
+
+static bool parse(struct dpl_scene *scene, const char *name, const char *text, size_t length)
+{
+    if (memchr(text, '\0', length))
+        return base_fail(scene->log, DPL_REASON_FILE_FORMAT, "%s: is not scene text: it contains zero bytes", name);
+    struct reading reading = {.scene = scene, .name = name, .next = text, .end = text + length};
+    int line = ini_parse_stream(next_line, &reading, take_value, &reading);
+    if (line > 0 && !reading.failed) {
+        reading.line = line;
+        fail_line(&reading, "neither a [section], nor key = value, nor a comment");
+    }
+    return !reading.failed;
+}
+
+bool dpl_scene_read(struct dpl_scene *scene, const char *name, const char *text, size_t length)
+{
+    struct dpl_scene *fresh = dpl_scene_create(scene->log);
+    bool ok = fresh && parse(fresh, name, text, length);
+    if (ok) {
+        struct dpl_scene old = *scene;
+        *scene = *fresh;
+        *fresh = old;
+    }
+    dpl_scene_destroy(fresh);
+    return ok;
+}
+
+static const struct dpl_builtin_scene *find_builtin(const char *name)
+{
+    for (const struct dpl_builtin_scene *builtin = dpl_builtin_scenes(); builtin->name; builtin++)
+        if (!strcmp(builtin->name, name))
+            return builtin;
+    return NULL;
+}
+
+bool dpl_scene_load(struct dpl_scene *scene, const char *path_or_name)
+{
+    const struct dpl_builtin_scene *builtin = find_builtin(path_or_name);
+    if (builtin && !file_exists(path_or_name))
+        return dpl_scene_read(scene, builtin->name, builtin->text, strlen(builtin->text));
+    if (!file_exists(path_or_name))
+        return base_fail(scene->log, DPL_REASON_FILE_READ,
+                         "%s: neither a file nor a built-in scene (see `dapple list scenes`)", path_or_name);
+    size_t length;
+    char *text = file_read(path_or_name, SCENE_TEXT_MAX, &length, scene->log);
+    bool ok = text && dpl_scene_read(scene, path_or_name, text, length);
+    free(text);
+    return ok;
+}
+
+static bool is_default(const struct dpl_section *section)
+{
+    char now[VALUE_SIZE], initial[VALUE_SIZE];
+    union {
+        double align;
+        char bytes[4096];
+    } defaults;
+    param_defaults(section->params, &defaults);
+    for (const struct dpl_param *param = section->params; param->name; param++) {
+        dpl_param_format(param, section->values, now, sizeof now);
+        dpl_param_format(param, &defaults, initial, sizeof initial);
+        if (strcmp(now, initial))
+            return false;
+    }
+    return true;
+}
+
+static void write_section(FILE *stream, const struct dpl_section *section)
+{
+    fprintf(stream, "[%s]\n", section->name);
+    for (const struct dpl_param *param = section->params; param->name; param++) {
+        char value[VALUE_SIZE];
+        dpl_param_format(param, section->values, value, sizeof value);
+        fprintf(stream, "%s = %s\n", param->name, value);
+    }
+    fputc('\n', stream);
+}
+
+bool dpl_scene_save(const struct dpl_scene *scene, const char *path)
+{
+    struct file_writer writer;
+    if (!file_begin(&writer, path, scene->log))
+        return false;
+    for (int i = 0; dpl_scene_section(scene, i).name; i++) {
+        struct dpl_section section = dpl_scene_section(scene, i);
+        if (section.active || !is_default(&section))
+            write_section(writer.stream, &section);
+    }
+    return file_end(&writer, true, scene->log);
+}

@@ -1,0 +1,109 @@
+#include "water/surface.h"
+
+#include "base/log.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+bool surface_resize(struct surface *surface, int columns, int rows, bool periodic, double size,
+                    const struct dpl_log *log)
+{
+    surface->size = size;
+    surface->periodic = periodic;
+    if (surface->texels && surface->columns == columns && surface->rows == rows)
+        return true;
+    surface_finish(surface);
+    float *texels = base_allocate(log, (size_t)columns * (size_t)rows * 3, sizeof *texels, "water surface");
+    *surface = (struct surface){columns, rows, periodic, size, texels};
+    return texels != NULL;
+}
+
+void surface_finish(struct surface *surface)
+{
+    free(surface->texels);
+    *surface = (struct surface){0};
+}
+
+double surface_spacing(const struct surface *surface)
+{
+    return surface->size / (surface->periodic ? surface->columns : surface->columns - 1);
+}
+
+static float *texel(const struct surface *surface, int i, int j)
+{
+    return surface->texels + ((size_t)j * (size_t)surface->columns + (size_t)i) * 3;
+}
+
+/* Adds the unit normal of one of the two triangles of cell (i, j); outside the grid there is none. */
+static void add_face(const struct surface *surface, int i, int j, bool second, float per_spacing, float sum[3])
+{
+    if (i < 0 || j < 0 || i + 1 >= surface->columns || j + 1 >= surface->rows)
+        return;
+    float right = texel(surface, i + 1, j)[0], below = texel(surface, i, j + 1)[0];
+    float corner = second ? texel(surface, i + 1, j + 1)[0] : texel(surface, i, j)[0];
+    float slope_x = (second ? corner - below : right - corner) * per_spacing;
+    float slope_z = (second ? corner - right : below - corner) * per_spacing;
+    float scale = 1.0f / sqrtf(slope_x * slope_x + slope_z * slope_z + 1.0f);
+    sum[0] -= slope_x * scale;
+    sum[1] += scale;
+    sum[2] -= slope_z * scale;
+}
+
+void surface_slopes_from_faces(struct surface *surface)
+{
+    float per_spacing = (float)(1.0 / surface_spacing(surface));
+#pragma omp parallel for
+    for (int j = 0; j < surface->rows; j++) {
+        for (int i = 0; i < surface->columns; i++) {
+            float sum[3] = {0, 0, 0};
+            add_face(surface, i, j, false, per_spacing, sum);
+            add_face(surface, i - 1, j, false, per_spacing, sum);
+            add_face(surface, i - 1, j, true, per_spacing, sum);
+            add_face(surface, i, j - 1, false, per_spacing, sum);
+            add_face(surface, i, j - 1, true, per_spacing, sum);
+            add_face(surface, i - 1, j - 1, true, per_spacing, sum);
+            texel(surface, i, j)[1] = -sum[0] / sum[1];
+            texel(surface, i, j)[2] = -sum[2] / sum[1];
+        }
+    }
+}
+
+/* Adds `weight` times the unit normal of vertex (i, j), wrapped round or held at the edge. */
+static void add_vertex(const struct surface *surface, int i, int j, float weight, float sum[3])
+{
+    if (surface->periodic) {
+        i = (i + surface->columns) % surface->columns;
+        j = (j + surface->rows) % surface->rows;
+    }
+    const float *slopes = texel(surface, i, j) + 1;
+    float scale = weight / sqrtf(1.0f + slopes[0] * slopes[0] + slopes[1] * slopes[1]);
+    sum[0] -= slopes[0] * scale;
+    sum[1] += scale;
+    sum[2] -= slopes[1] * scale;
+}
+
+/* Splits a grid coordinate into a cell and a place inside it; the last cell holds its far edge. */
+static int split(double coordinate, int count, bool periodic, float *fraction)
+{
+    int cell = (int)floor(coordinate);
+    if (!periodic)
+        cell = cell < 0 ? 0 : cell > count - 2 ? count - 2 : cell;
+    *fraction = (float)(coordinate - cell);
+    return cell;
+}
+
+void surface_normal(const struct surface *surface, double x, double z, float normal[2])
+{
+    double per_spacing = 1.0 / surface_spacing(surface);
+    float u, v;
+    int i = split((x + surface->size / 2) * per_spacing, surface->columns, surface->periodic, &u);
+    int j = split((z + surface->size / 2) * per_spacing, surface->rows, surface->periodic, &v);
+    float sum[3] = {0, 0, 0};
+    bool second = u + v > 1.0f;
+    add_vertex(surface, i + second, j + second, second ? u + v - 1.0f : 1.0f - u - v, sum);
+    add_vertex(surface, i + 1, j, second ? 1.0f - v : u, sum);
+    add_vertex(surface, i, j + 1, second ? 1.0f - u : v, sum);
+    float scale = 1.0f / sqrtf(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+    normal[0] = sum[0] * scale;
+    normal[1] = sum[2] * scale;
+}

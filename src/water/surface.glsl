@@ -1,0 +1,42 @@
+/* The water's surface as shaders see it: the GPU's twin of surface.c. */
+uniform sampler2D surface_texels; /* height, slope along x, slope along z */
+uniform float surface_size;       /* m */
+uniform int surface_periodic;
+
+float surface_spacing()
+{
+    int columns = textureSize(surface_texels, 0).x;
+    return surface_size / float(surface_periodic != 0 ? columns : columns - 1);
+}
+
+/* Height and slopes at a vertex, wrapped round where the surface is periodic. */
+vec3 surface_vertex(ivec2 vertex)
+{
+    ivec2 count = textureSize(surface_texels, 0);
+    if (surface_periodic != 0)
+        vertex = (vertex + count) % count;
+    return texelFetch(surface_texels, vertex, 0).xyz;
+}
+
+vec3 surface_vertex_normal(ivec2 vertex)
+{
+    vec2 slopes = surface_vertex(vertex).yz;
+    return normalize(vec3(-slopes.x, 1.0, -slopes.y));
+}
+
+/* The unit normal at a point, from the vertices' unit normals interpolated over the triangle below it. */
+vec3 surface_normal(vec2 xz)
+{
+    vec2 place = (xz + 0.5 * surface_size) / surface_spacing();
+    vec2 cell = floor(place);
+    if (surface_periodic == 0)
+        cell = clamp(cell, vec2(0.0), vec2(textureSize(surface_texels, 0) - 2));
+    vec2 inside = place - cell;
+    ivec2 vertex = ivec2(cell);
+    bool second = inside.x + inside.y > 1.0;
+    vec3 corner = surface_vertex_normal(vertex + (second ? ivec2(1) : ivec2(0)));
+    vec3 right = surface_vertex_normal(vertex + ivec2(1, 0));
+    vec3 below = surface_vertex_normal(vertex + ivec2(0, 1));
+    vec2 weights = second ? 1.0 - inside.yx : inside;
+    return normalize(corner * (1.0 - weights.x - weights.y) + right * weights.x + below * weights.y);
+}

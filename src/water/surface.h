@@ -1,0 +1,38 @@
+/* water/surface.h: the moving surface at one time, as a grid of vertices. What every water model makes and every
+ * technique reads.
+ *
+ * Vertex (i, j) stands at x = -size/2 + i · spacing, z = -size/2 + j · spacing. A periodic surface leaves out the
+ * repeated edge (spacing = size / columns); a bounded one has both edges (spacing = size / (columns - 1)). A cell is
+ * cut into two triangles along the diagonal from (i + 1, j) to (i, j + 1). */
+#ifndef WATER_SURFACE_H
+#define WATER_SURFACE_H
+
+#include "dapple/log.h"
+
+#include <stdbool.h>
+
+struct surface {
+    int columns, rows;
+    bool periodic;
+    double size;  /* m */
+    float *texels; /* rows × columns × 3: height (m), slope along x, slope along z */
+};
+
+/* Makes the grid that size, or leaves it where it already is. All zero is a valid empty surface. */
+bool surface_resize(struct surface *surface, int columns, int rows, bool periodic, double size,
+                    const struct dpl_log *log);
+
+/* Leaves it zeroed. */
+void surface_finish(struct surface *surface);
+
+/* Distance between neighbouring vertices, m. */
+double surface_spacing(const struct surface *surface);
+
+/* Sets the slopes of a bounded surface from its heights: a vertex's normal is the normalised sum of the unit normals of
+ * the triangles around it (Collard & Mundi 2022, as their program has it). */
+void surface_slopes_from_faces(struct surface *surface);
+
+/* The unit normal's x and z at a point, from the vertices' unit normals interpolated over the triangle below it. */
+void surface_normal(const struct surface *surface, double x, double z, float normal[2]);
+
+#endif
