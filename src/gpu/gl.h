@@ -24,6 +24,7 @@
     X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)                                                         \
     X(PFNGLCLEARPROC, Clear)                                                                                           \
     X(PFNGLCLEARCOLORPROC, ClearColor)                                                                                 \
+    X(PFNGLCOLORMASKPROC, ColorMask)                                                                                   \
     X(PFNGLCOMPILESHADERPROC, CompileShader)                                                                           \
     X(PFNGLCREATEPROGRAMPROC, CreateProgram)                                                                           \
     X(PFNGLCREATESHADERPROC, CreateShader)                                                                             \

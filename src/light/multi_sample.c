@@ -80,6 +80,8 @@ bool multi_sample_prepare(struct multi_sample_state *state, const struct light_i
     plan_table(&state->plan, p, depth, &state->sun);
     state->plan.normal_keep = p->steps == 1 ? 0.0f : 1.0f;
     state->plan.power = (float)(depth + 1);
+    for (int i = 0; i < MULTI_SAMPLE_TABLE + 2; i++)
+        state->plan.powers[i] = (float)fmin(pow((double)i / MULTI_SAMPLE_TABLE, depth + 1), 1);
     state->params = *p;
     state->depth = depth;
     state->planned = true;

@@ -4,6 +4,7 @@
 
 #include "light/light.h"
 #include "light/sun_map.h"
+#include "water/normal_map.h"
 
 #define MULTI_SAMPLE_STEPS_MAX 7
 #define MULTI_SAMPLE_COUNT_MAX ((MULTI_SAMPLE_STEPS_MAX + 1) * (MULTI_SAMPLE_STEPS_MAX + 1))
@@ -25,7 +26,8 @@ struct multi_sample_plan {
         float weight;
     } rays[MULTI_SAMPLE_COUNT_MAX]; /* row by row */
     float normal_keep; /* 1: the normal's height is weighted by 1 - τ³²; 0: it is kept whole */
-    float power;       /* of the finished sum */
+    float power;       /* of the finished sum, step 6 */
+    float powers[MULTI_SAMPLE_TABLE + 2]; /* the same as a table, over sums from 0 to 1 */
     /* Brightness, base intensity included, by the squared cosine between the refracted ray and the sun, from
      * `table_start` to 1; below it the first entry holds. */
     float table_start;
@@ -43,6 +45,7 @@ struct multi_sample_state {
     struct gpu_texture normals, table;
     /* CPU: unit normals, x and z, each row with half a width of mirror image on either side and one texel more; two
      * such rows for each thread */
+    struct normal_map normal_map;
     int side, threads;
     float *normals_x, *normals_z, *blended;
 };

@@ -7,15 +7,10 @@
 
 #include "base/log.h"
 #include "base/threads.h"
+#include "base/vector.h"
 
 #include <math.h>
 #include <stdlib.h>
-
-#if defined(__x86_64__) && defined(__gnu_linux__)
-#define VECTOR_CLONES __attribute__((target_clones("avx2,fma", "default")))
-#else
-#define VECTOR_CLONES
-#endif
 
 /* Texels of a row with its margins: half a width on either side, and one more for the last blend. */
 static size_t stride_of(int side)
@@ -51,23 +46,18 @@ void multi_sample_free_buffers(struct multi_sample_state *state)
     free(state->normals_x);
     free(state->normals_z);
     free(state->blended);
+    normal_map_finish(&state->normal_map);
     state->normals_x = state->normals_z = state->blended = NULL;
 }
 
-static void fill_normals(struct multi_sample_state *state, const struct surface *surface)
+static void fill_normals(struct multi_sample_state *state)
 {
     int side = state->side, margin = side / 2 + 1;
     size_t stride = stride_of(side);
 #pragma omp parallel for
     for (int j = 0; j < side; j++) {
         float *row_x = state->normals_x + (size_t)j * stride, *row_z = state->normals_z + (size_t)j * stride;
-        double z = ((j + 0.5) / side - 0.5) * surface->size;
-        for (int i = 0; i < side; i++) {
-            float normal[2];
-            surface_normal(surface, ((i + 0.5) / side - 0.5) * surface->size, z, normal);
-            row_x[margin + i] = normal[0];
-            row_z[margin + i] = normal[1];
-        }
+        normal_map_row(&state->normal_map, j, row_x + margin, row_z + margin);
         for (int i = 0; i < (int)stride; i++) {
             row_x[i] = row_x[margin + mirrored(i - margin, side)];
             row_z[i] = row_z[margin + mirrored(i - margin, side)];
@@ -91,6 +81,7 @@ VECTOR_CLONES static void add_sample(const float *restrict x, const float *restr
     const float *direction = ray->direction, keep = plan->normal_keep, start = plan->table_start;
     const float scale = (float)(MULTI_SAMPLE_TABLE - 1) / (1.0f - start), weight = ray->weight;
     const float dx = direction[0], dy = direction[1], dz = direction[2];
+    const float still = 1e-30f; /* flat water seen from straight below: 0 / 0 is to be 1 */
     const float *restrict table = plan->table;
     for (int i = 0; i < count; i++) {
         float nx = x[i] + part * (x[i + 1] - x[i]), nz = z[i] + part * (z[i + 1] - z[i]);
@@ -104,10 +95,10 @@ VECTOR_CLONES static void add_sample(const float *restrict x, const float *restr
         square *= square; /* τ¹⁶ */
         float height = (1.0f - keep * square * square) * up;
         float total = height * height + across;
-        float cosine = total > 0.0f ? height * height / total : 1.0f;
-        float entry = (cosine - start) * scale;
-        entry = entry > 0.0f ? entry : 0.0f;
-        sum[i] += weight * table[(int)(entry + 0.5f)];
+        float cosine = (height * height + still) / (total + still);
+        int entry = (int)((cosine - start) * scale + 0.5f);
+        entry &= ~(entry >> 31); /* below the table: its first entry; a condition here would not become vectors */
+        sum[i] += weight * table[entry];
     }
 }
 
@@ -142,25 +133,28 @@ static void trace_row(const struct multi_sample_state *state, int j, float *rest
 }
 
 /* Step 6. */
-VECTOR_CLONES static void finish_row(float power, int count, float *restrict row)
+VECTOR_CLONES static void finish_row(const struct multi_sample_plan *restrict plan, int count, float *restrict row)
 {
+    const float *restrict powers = plan->powers;
     for (int i = 0; i < count; i++) {
-        float value = powf(row[i], power);
-        row[i] = value < 1.0f ? value : 1.0f;
+        float entry = row[i] * MULTI_SAMPLE_TABLE;
+        int whole = (int)entry < MULTI_SAMPLE_TABLE ? (int)entry : MULTI_SAMPLE_TABLE;
+        row[i] = powers[whole] + (entry - (float)whole) * (powers[whole + 1] - powers[whole]);
     }
 }
 
 bool multi_sample_trace(void *state_, const struct light_input *input, struct light_map *map)
 {
     struct multi_sample_state *state = state_;
-    if (!multi_sample_prepare(state, input) || !resize_buffers(state, map->side, input->log))
+    if (!multi_sample_prepare(state, input) || !resize_buffers(state, map->side, input->log) ||
+        !normal_map_begin(&state->normal_map, input->surface, map->side, input->log))
         return false;
-    fill_normals(state, input->surface);
+    fill_normals(state);
 #pragma omp parallel for
     for (int j = 0; j < map->side; j++) {
         float *row = map->texels + (size_t)j * (size_t)map->side;
         trace_row(state, j, row);
-        finish_row(state->plan.power, map->side, row);
+        finish_row(&state->plan, map->side, row);
     }
     return true;
 }

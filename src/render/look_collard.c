@@ -91,12 +91,18 @@ static void draw_water(struct look_collard_state *state, const struct frame *fra
     program_float(gl, program, "ambient", look->ambient);
     program_float(gl, program, "shininess", look->shininess);
     program_float(gl, program, "threshold", look->threshold);
+    gl->BindVertexArray(state->cells_array);
+    int indices = cell_count(state->columns, state->periodic) * cell_count(state->rows, state->periodic) * 6;
+    /* Depth alone first, so that a crest hides what is behind it whatever the order of the cells. */
+    gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    gl->DrawElements(GL_TRIANGLES, indices, GL_UNSIGNED_INT, NULL);
+    gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl->DepthFunc(GL_LEQUAL);
     gl->Enable(GL_BLEND);
     gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);
-    gl->BindVertexArray(state->cells_array);
-    int cells = cell_count(state->columns, state->periodic) * cell_count(state->rows, state->periodic);
-    gl->DrawElements(GL_TRIANGLES, cells * 6, GL_UNSIGNED_INT, NULL);
+    gl->DrawElements(GL_TRIANGLES, indices, GL_UNSIGNED_INT, NULL);
     gl->Disable(GL_BLEND);
+    gl->DepthFunc(GL_LESS);
 }
 
 static void set_wireframe(struct dpl_gl *gl, bool on)

@@ -32,7 +32,4 @@ double surface_spacing(const struct surface *surface);
  * the triangles around it (Collard & Mundi 2022, as their program has it). */
 void surface_slopes_from_faces(struct surface *surface);
 
-/* The unit normal's x and z at a point, from the vertices' unit normals interpolated over the triangle below it. */
-void surface_normal(const struct surface *surface, double x, double z, float normal[2]);
-
 #endif
