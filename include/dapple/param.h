@@ -15,7 +15,7 @@
 extern "C" {
 #endif
 
-#define DPL_PARAM_TEXT_SIZE 256 /* bytes of a text value, its ending zero included */
+#define DPL_PARAM_TEXT_SIZE 160 /* bytes of a text value, its ending zero included; a line of scene text holds it */
 
 enum dpl_param_type {
     DPL_PARAM_FLOAT,  /* double[count] */

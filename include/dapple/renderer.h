@@ -40,13 +40,19 @@ DPL_API struct dpl_image *dpl_renderer_surface(struct dpl_renderer *renderer, co
  * Returns NULL on failure; the caller destroys the image. */
 DPL_API struct dpl_image *dpl_renderer_map(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time);
 
-/* Draws the scene into a framebuffer of the caller's context (0: the window), over its whole width × height. */
+/* Draws the scene into a framebuffer of the caller's context (0: the window), over its whole width × height.
+ * DPL_NO_FRAMEBUFFER draws it into nothing that can be seen and waits until the device is done: for benchmarks. */
+#define DPL_NO_FRAMEBUFFER (~0u)
 DPL_API bool dpl_renderer_draw(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time,
                                unsigned framebuffer, int width, int height);
 
 /* The same into a new image: displayable values 0 to 1. Returns NULL on failure; the caller destroys the image. */
 DPL_API struct dpl_image *dpl_renderer_picture(struct dpl_renderer *renderer, const struct dpl_scene *scene,
                                                double time, int width, int height);
+
+/* Has the shader files read anew when they are next needed, by every renderer of this OpenGL; where one is broken, the
+ * reason is logged and what was built from it before stays in use. For shaders that are being edited. */
+DPL_API void dpl_renderer_reload(struct dpl_renderer *renderer);
 
 /* How passes are timed. */
 enum dpl_timing {

@@ -4,13 +4,16 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static void write_line(const struct dpl_log *log, enum dpl_log_level level, enum dpl_reason reason,
-                       const char *format, va_list arguments)
+static void write_line(const struct dpl_log *log, enum dpl_log_level level, enum dpl_reason reason, const char *format,
+                       va_list arguments)
 {
     if (!log || !log->write)
         return;
     char text[1024];
     vsnprintf(text, sizeof text, format, arguments);
+    for (char *c = text; *c; c++) /* a driver's words, or a value, may have more than one line */
+        if ((unsigned char)*c < ' ')
+            *c = ' ';
     log->write(log->user, level, reason, text);
 }
 

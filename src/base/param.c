@@ -116,11 +116,22 @@ static bool parse_choice(const struct dpl_param *param, int *value, const char *
     return reject(param, DPL_REASON_CHOICE, where, "no such choice", text, log);
 }
 
+/* Scene text has no quotes: what would end a line, start a comment or be trimmed cannot stand in it. */
+static bool fits_scene_text(const char *text)
+{
+    for (const char *c = text; *c; c++)
+        if ((unsigned char)*c < ' ' || ((c == text || c[-1] == ' ') && (*c == '#' || *c == ';')))
+            return false;
+    return *text != ' ' && (!*text || text[strlen(text) - 1] != ' ');
+}
+
 static bool parse_text(const struct dpl_param *param, char *value, const char *text, const char *where,
                        const struct dpl_log *log)
 {
     if (strlen(text) >= DPL_PARAM_TEXT_SIZE)
         return reject(param, DPL_REASON_RANGE, where, "too long", text, log);
+    if (!fits_scene_text(text))
+        return reject(param, DPL_REASON_VALUE, where, "cannot stand in scene text", text, log);
     memset(value, 0, DPL_PARAM_TEXT_SIZE);
     memcpy(value, text, strlen(text));
     return true;
@@ -202,7 +213,8 @@ void dpl_param_describe(const struct dpl_param *param, char *text, size_t size)
         describe_choices(param, text, size);
         break;
     case DPL_PARAM_TEXT:
-        snprintf(text, size, "text of at most %d bytes", DPL_PARAM_TEXT_SIZE - 1);
+        snprintf(text, size, "text of at most %d bytes, neither # nor ; at its start or after a blank",
+                 DPL_PARAM_TEXT_SIZE - 1);
         break;
     default:
         describe_numbers(param, text, size);

@@ -92,6 +92,7 @@ struct dpl_gl *dpl_gl_create(const struct dpl_gl_options *options, const struct 
     if (!gl)
         return NULL;
     gl->log = log;
+    gl->generation = 1;
     gl->shader_folder = options->shader_folder ? strdup(options->shader_folder) : NULL;
     if (!load_functions(gl, options) || !check_version(gl)) {
         free(gl->shader_folder);

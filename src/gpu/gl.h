@@ -24,7 +24,6 @@
     X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)                                                         \
     X(PFNGLCLEARPROC, Clear)                                                                                           \
     X(PFNGLCLEARCOLORPROC, ClearColor)                                                                                 \
-    X(PFNGLCOLORMASKPROC, ColorMask)                                                                                   \
     X(PFNGLCOMPILESHADERPROC, CompileShader)                                                                           \
     X(PFNGLCREATEPROGRAMPROC, CreateProgram)                                                                           \
     X(PFNGLCREATESHADERPROC, CreateShader)                                                                             \
@@ -36,7 +35,6 @@
     X(PFNGLDELETESHADERPROC, DeleteShader)                                                                             \
     X(PFNGLDELETETEXTURESPROC, DeleteTextures)                                                                         \
     X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)                                                                 \
-    X(PFNGLDEPTHFUNCPROC, DepthFunc)                                                                                   \
     X(PFNGLDISABLEPROC, Disable)                                                                                       \
     X(PFNGLDRAWARRAYSPROC, DrawArrays)                                                                                 \
     X(PFNGLDRAWELEMENTSPROC, DrawElements)                                                                             \
@@ -89,6 +87,7 @@ struct dpl_gl {
     const char *fallbacks[GPU_FALLBACKS_MAX + 1];
     char *shader_folder; /* NULL: shaders are those built in */
     unsigned empty_array; /* a vertex array without attributes, for drawing from gl_VertexID */
+    unsigned generation; /* of the shader files; counts from 1, one up with each reload */
     struct gpu_headless *headless; /* NULL in a caller's context */
     const struct dpl_log *log;
 };

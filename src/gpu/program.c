@@ -148,7 +148,8 @@ static GLuint link_stages(struct dpl_gl *gl, const char *path, GLuint vertex, GL
     return 0;
 }
 
-bool program_build(struct dpl_gl *gl, struct gpu_program *program, const char *path, const char *defines)
+/* Leaves the program as it was where a stage fails. */
+static void build(struct dpl_gl *gl, struct gpu_program *program, const char *path, const char *defines)
 {
     GLuint vertex = compile_stage(gl, path, false, defines);
     GLuint fragment = vertex ? compile_stage(gl, path, true, defines) : 0;
@@ -156,16 +157,23 @@ bool program_build(struct dpl_gl *gl, struct gpu_program *program, const char *p
     gl->DeleteShader(vertex);
     gl->DeleteShader(fragment);
     if (!name)
-        return false;
+        return;
     gl->DeleteProgram(program->name);
     program->name = name;
-    return true;
+}
+
+bool program_ready(struct dpl_gl *gl, struct gpu_program *program, const char *path, const char *defines)
+{
+    if (program->generation != gl->generation)
+        build(gl, program, path, defines);
+    program->generation = gl->generation;
+    return program->name != 0;
 }
 
 void program_finish(struct dpl_gl *gl, struct gpu_program *program)
 {
     gl->DeleteProgram(program->name);
-    program->name = 0;
+    *program = (struct gpu_program){0};
 }
 
 void program_use(struct dpl_gl *gl, const struct gpu_program *program)

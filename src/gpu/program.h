@@ -16,13 +16,16 @@
 
 #include "gpu/gl.h"
 
+/* All zero: none yet. */
 struct gpu_program {
     GLuint name;
+    unsigned generation; /* of the shader files that it was last built from; see struct dpl_gl */
 };
 
-/* `defines` is text such as "#define STEPS 3\n" or "". On failure the program stays as it was (so that a shader that
- * is being edited does not take the picture away) and the reason is logged. */
-bool program_build(struct dpl_gl *gl, struct gpu_program *program, const char *path, const char *defines);
+/* Builds the program where that has not been tried with this generation of shader files. `defines` is text such as
+ * "#define STEPS 3\n" or "". On failure, with the reason logged, an earlier program stays (so that a shader that is
+ * being edited does not take the picture away). True where there is a program to use. */
+bool program_ready(struct dpl_gl *gl, struct gpu_program *program, const char *path, const char *defines);
 
 /* Takes a zeroed one. Leaves it zeroed. */
 void program_finish(struct dpl_gl *gl, struct gpu_program *program);

@@ -61,7 +61,7 @@ void target_resolve(struct dpl_gl *gl, struct gpu_target *target)
 
 bool target_copy(struct dpl_gl *gl, struct gpu_target *target, GLuint framebuffer)
 {
-    if (!target->copy.name && !program_build(gl, &target->copy, "gpu/copy.glsl", ""))
+    if (!program_ready(gl, &target->copy, "gpu/copy.glsl", ""))
         return false;
     gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     gl->Viewport(0, 0, target->width, target->height);

@@ -18,7 +18,7 @@ static const struct pixel_format *find_format(GLenum sized)
     for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
         if (formats[i].sized == sized)
             return formats + i;
-    assert(!"texture format is not in the table");
+    assert(false && "the texture format is in the table");
     return NULL;
 }
 

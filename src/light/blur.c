@@ -34,7 +34,7 @@ bool blur_map(struct light_blur *blur, struct light_map *map, int width, const s
 bool blur_draw(struct light_blur *blur, struct dpl_gl *gl, const struct gpu_texture *from, int width,
                struct gpu_texture *to)
 {
-    if (!blur->program.name && !program_build(gl, &blur->program, "light/blur.glsl", ""))
+    if (!program_ready(gl, &blur->program, "light/blur.glsl", ""))
         return false;
     texture_draw_to(gl, to);
     program_use(gl, &blur->program);

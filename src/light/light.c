@@ -32,7 +32,7 @@ const struct dpl_param light_settings_params[] = {
     PARAM_CHOICE(struct light_settings, technique, 0, light_technique_name,
                  "technique; see `dapple list techniques`"),
     PARAM_INT(struct light_settings, map, 512, 1, LIGHT_MAP_MAX, "texels", "side of the caustic map"),
-    PARAM_INT(struct light_settings, mesh, 512, 2, LIGHT_MAP_MAX, "vertices",
+    PARAM_INT(struct light_settings, mesh, 512, 2, LIGHT_MESH_MAX, "vertices",
               "side of the surface's grid, for water models without one of their own"),
     PARAM_FLOAT(struct light_settings, depth_bias, 0.6, 0, 10, "m",
                 "added to the depth by techniques that are tuned by eye (multi-sample)"),

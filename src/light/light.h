@@ -10,7 +10,8 @@
 #include "gpu/texture.h"
 #include "water/surface_gpu.h"
 
-#define LIGHT_MAP_MAX 8192 /* texels a side */
+#define LIGHT_MAP_MAX 8192  /* texels a side */
+#define LIGHT_MESH_MAX 4096 /* vertices a side */
 
 /* Sections [sun], [water] and [caustics]: what every technique may need to know. */
 struct light_sun {

@@ -90,8 +90,8 @@ bool multi_sample_prepare(struct multi_sample_state *state, const struct light_i
 
 static bool build_programs(struct multi_sample_state *state, struct dpl_gl *gl)
 {
-    return (state->normal_program.name || program_build(gl, &state->normal_program, "light/normals.glsl", "")) &&
-           (state->map_program.name || program_build(gl, &state->map_program, "light/multi_sample.glsl", ""));
+    return program_ready(gl, &state->normal_program, "light/normals.glsl", "") &&
+           program_ready(gl, &state->map_program, "light/multi_sample.glsl", "");
 }
 
 /* The normals' x and z, seen from above at the map's resolution; y follows from their unit length. */

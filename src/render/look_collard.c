@@ -3,14 +3,15 @@
 
 #include "base/log.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 /* Vertex numbers of the two triangles of every cell, row by row from -z to +z. */
-static void fill_cells(unsigned *indices, int across, int down)
+static void fill_cells(unsigned *indices, int cells)
 {
-    for (int j = 0; j < down; j++) {
-        for (int i = 0; i < across; i++) {
-            unsigned corner = (unsigned)(j * (across + 1) + i), below = corner + (unsigned)across + 1;
+    for (int j = 0; j < cells; j++) {
+        for (int i = 0; i < cells; i++) {
+            unsigned corner = (unsigned)(j * (cells + 1) + i), below = corner + (unsigned)cells + 1;
             const unsigned cell[6] = {corner, below, corner + 1, corner + 1, below, below + 1};
             for (int k = 0; k < 6; k++)
                 *indices++ = cell[k];
@@ -18,35 +19,48 @@ static void fill_cells(unsigned *indices, int across, int down)
     }
 }
 
-/* Cells along one axis: a periodic surface has one more, back to its first vertex. */
-static int cell_count(int vertices, bool periodic)
+/* Cells a side; a periodic surface has one more than its vertices show, back to its first. */
+static int cell_count(const struct surface_gpu *surface)
 {
-    return periodic ? vertices : vertices - 1;
+    return surface->texels.width - (surface->periodic ? 0 : 1);
 }
 
-static bool update_cells(struct look_collard_state *state, struct dpl_gl *gl, const struct surface_gpu *surface)
+/* The buffer holds every triangle twice, from the first row of cells to the last and back. */
+static bool update_cells(struct look_collard_state *state, struct dpl_gl *gl, int cells)
 {
-    int columns = surface->texels.width, rows = surface->texels.height;
-    if (state->columns == columns && state->rows == rows && state->periodic == surface->periodic)
+    if (state->cells == cells)
         return true;
-    int across = cell_count(columns, surface->periodic), down = cell_count(rows, surface->periodic);
-    size_t count = (size_t)across * (size_t)down * 6;
-    unsigned *indices = base_allocate(gl->log, count, sizeof *indices, "triangles of the water");
+    size_t count = (size_t)cells * (size_t)cells * 6;
+    unsigned *indices = base_allocate(gl->log, count * 2, sizeof *indices, "triangles of the water");
     if (!indices)
         return false;
-    fill_cells(indices, across, down);
+    fill_cells(indices, cells);
+    for (size_t i = 0; i < count; i++)
+        indices[count + i] = indices[count - 1 - i];
     if (!state->cells_array) {
         gl->GenVertexArrays(1, &state->cells_array);
         gl->GenBuffers(1, &state->cells_buffer);
     }
     gl->BindVertexArray(state->cells_array);
     gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, state->cells_buffer);
-    gl->BufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)(count * sizeof *indices), indices, GL_STATIC_DRAW);
+    gl->BufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)(count * 2 * sizeof *indices), indices, GL_STATIC_DRAW);
     free(indices);
-    state->columns = columns;
-    state->rows = rows;
-    state->periodic = surface->periodic;
+    state->cells = cells;
     return true;
+}
+
+/* Draws the rows of cells from the eye outwards, so that a crest is drawn before what it hides and is not blended over
+ * it. `along`: the eye's place on the axis that the rows follow each other on, 0 to 1 across the tile. */
+static void draw_cells(const struct look_collard_state *state, struct dpl_gl *gl, double along)
+{
+    int cells = state->cells, first = (int)fmin(fmax(along * cells, 0), cells);
+    GLsizei row = cells * 6;
+    GLsizeiptr back = (GLsizeiptr)row * (2 * cells - first);
+    gl->BindVertexArray(state->cells_array);
+    gl->DrawElements(GL_TRIANGLES, (cells - first) * row, GL_UNSIGNED_INT,
+                     (const void *)((GLsizeiptr)first * row * (GLsizeiptr)sizeof(unsigned)));
+    gl->DrawElements(GL_TRIANGLES, first * row, GL_UNSIGNED_INT,
+                     (const void *)(back * (GLsizeiptr)sizeof(unsigned)));
 }
 
 static void draw_ground(struct look_collard_state *state, const struct frame *frame)
@@ -83,7 +97,7 @@ static void draw_water(struct look_collard_state *state, const struct frame *fra
     program_use(gl, program);
     surface_gpu_bind(gl, frame->surface, program, 0);
     program_mat4(gl, program, "view_projection", frame->view_projection);
-    program_int(gl, program, "columns", cell_count(state->columns, state->periodic) + 1);
+    program_int(gl, program, "columns", state->cells + 1);
     program_vec3(gl, program, "eye", frame->scene->camera.position);
     program_vec3(gl, program, "lamp_position", look->lamp_position);
     program_vec3(gl, program, "lamp_color", look->lamp_color);
@@ -91,18 +105,14 @@ static void draw_water(struct look_collard_state *state, const struct frame *fra
     program_float(gl, program, "ambient", look->ambient);
     program_float(gl, program, "shininess", look->shininess);
     program_float(gl, program, "threshold", look->threshold);
-    gl->BindVertexArray(state->cells_array);
-    int indices = cell_count(state->columns, state->periodic) * cell_count(state->rows, state->periodic) * 6;
-    /* Depth alone first, so that a crest hides what is behind it whatever the order of the cells. */
-    gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    gl->DrawElements(GL_TRIANGLES, indices, GL_UNSIGNED_INT, NULL);
-    gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    gl->DepthFunc(GL_LEQUAL);
+    /* Rows follow each other along the axis that the eye is farther out on. */
+    const double *eye = frame->scene->camera.position;
+    bool swapped = fabs(eye[0]) > fabs(eye[2]);
+    program_int(gl, program, "swapped", swapped);
     gl->Enable(GL_BLEND);
     gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);
-    gl->DrawElements(GL_TRIANGLES, indices, GL_UNSIGNED_INT, NULL);
+    draw_cells(state, gl, eye[swapped ? 0 : 2] / frame->surface->size + 0.5);
     gl->Disable(GL_BLEND);
-    gl->DepthFunc(GL_LESS);
 }
 
 static void set_wireframe(struct dpl_gl *gl, bool on)
@@ -114,9 +124,9 @@ static void set_wireframe(struct dpl_gl *gl, bool on)
 bool look_collard_draw(struct look_collard_state *state, const struct frame *frame)
 {
     struct dpl_gl *gl = frame->gl;
-    bool built = (state->ground.name || program_build(gl, &state->ground, "render/collard_ground.glsl", "")) &&
-                 (state->water.name || program_build(gl, &state->water, "render/collard_water.glsl", ""));
-    if (!built || !update_cells(state, gl, frame->surface))
+    bool built = program_ready(gl, &state->ground, "render/collard_ground.glsl", "") &&
+                 program_ready(gl, &state->water, "render/collard_water.glsl", "");
+    if (!built || !update_cells(state, gl, cell_count(frame->surface)))
         return false;
     gl->Enable(GL_DEPTH_TEST);
     set_wireframe(gl, frame->scene->render.wireframe);

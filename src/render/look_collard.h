@@ -8,8 +8,7 @@
 struct look_collard_state {
     struct gpu_program ground, water;
     GLuint cells_array, cells_buffer; /* the surface's triangles, as vertex numbers */
-    int columns, rows;                /* of the surface that they are for */
-    bool periodic;
+    int cells;                        /* a side, that they are for */
 };
 
 bool look_collard_draw(struct look_collard_state *state, const struct frame *frame);

@@ -299,11 +299,14 @@ static bool draw_frame(struct dpl_renderer *renderer, const struct dpl_scene *sc
 bool dpl_renderer_draw(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time, unsigned framebuffer,
                        int width, int height)
 {
+    bool shown = framebuffer != DPL_NO_FRAMEBUFFER;
     bool ok = draw_frame(renderer, scene, time, width, height) &&
-              target_copy(renderer->gl, &renderer->target, framebuffer);
+              (!shown || target_copy(renderer->gl, &renderer->target, framebuffer));
     timer_pass(&renderer->timer, NULL);
+    if (renderer->gl && !shown)
+        renderer->gl->Finish();
     if (renderer->gl)
-        gpu_leave(renderer->gl, framebuffer);
+        gpu_leave(renderer->gl, shown ? framebuffer : 0);
     return ok;
 }
 
@@ -347,6 +350,12 @@ struct dpl_image *dpl_renderer_picture(struct dpl_renderer *renderer, const stru
     if (renderer->gl)
         gpu_leave(renderer->gl, 0);
     return image;
+}
+
+void dpl_renderer_reload(struct dpl_renderer *renderer)
+{
+    if (renderer->gl)
+        renderer->gl->generation++;
 }
 
 void dpl_renderer_time_passes(struct dpl_renderer *renderer, enum dpl_timing timing, double (*now)(void))

@@ -6,11 +6,12 @@
 
 bool sand_update(struct dpl_gl *gl, struct sand *sand, const struct dpl_scene *scene)
 {
-    bool drawn = sand->color.name != 0 && !memcmp(&sand->params, &scene->floor, sizeof sand->params) &&
+    bool drawn = sand->color.name != 0 && sand->program.generation == gl->generation &&
+                 !memcmp(&sand->params, &scene->floor, sizeof sand->params) &&
                  sand->size == scene->settings.size && sand->seed == scene->settings.seed;
     if (drawn)
         return true;
-    if (!sand->program.name && !program_build(gl, &sand->program, "render/sand.glsl", ""))
+    if (!program_ready(gl, &sand->program, "render/sand.glsl", ""))
         return false;
     texture_resize(gl, &sand->color, GL_RGBA8, SAND_SIDE, SAND_SIDE, TEXTURE_REPEAT, TEXTURE_MIPMAP);
     texture_draw_to(gl, &sand->color);

@@ -8,7 +8,7 @@ struct dpl_thumbnail thumbnails_draw(struct dpl_gl *gl, struct thumbnails *thumb
                                      const struct surface_gpu *surface, const struct gpu_texture *map)
 {
     if (index < 0 || index >= THUMBNAILS ||
-        (!thumbnails->program.name && !program_build(gl, &thumbnails->program, "render/thumbnail.glsl", "")))
+        !program_ready(gl, &thumbnails->program, "render/thumbnail.glsl", ""))
         return (struct dpl_thumbnail){0};
     struct gpu_texture *texture = thumbnails->textures + index;
     texture_resize(gl, texture, GL_RGBA8, SIDE, SIDE, TEXTURE_CLAMP, TEXTURE_LINEAR);

@@ -12,6 +12,9 @@
 #define SCENE_TEXT_MAX (1 << 20) /* bytes */
 #define VALUE_SIZE 512           /* bytes of one value as text */
 #define PLACE_SIZE 512           /* bytes of "file:line: section.key" */
+#define LINE_SIZE 200            /* bytes of a line: what Debian's build of the parser takes */
+
+#define MALFORMED "neither a [section], nor key = value, nor a comment"
 
 /* Scene text on its way through the INI parser. */
 struct reading {
@@ -47,7 +50,7 @@ static int wave_number(const char *section)
 {
     int number = 0, length = 0;
     if (sscanf(section, "wave.%2d%n", &number, &length) != 1 || section[length] || number < 1 ||
-        number > WATER_WAVES_MAX || section[5] == '0')
+        number > WATER_WAVES_MAX || section[5] < '1' || section[5] > '9')
         return -1;
     return number - 1;
 }
@@ -143,32 +146,59 @@ static void fail_line(struct reading *reading, const char *what)
     reading->failed = true;
 }
 
-/* Hands the parser one line: without leading blanks (it would take them for a continued value) and without a comment
- * that starts with " #". */
+/* Where a line's text ends: before a comment, which starts the line or follows a blank. */
+static const char *text_end(const char *start, const char *stop)
+{
+    for (const char *c = start; c < stop; c++)
+        if ((*c == '#' || *c == ';') && (c == start || c[-1] == ' ' || c[-1] == '\t'))
+            return c;
+    return stop;
+}
+
+/* The parser itself says nothing of a section without keys, nor of what follows its bracket. */
+static void check_section(struct reading *reading, const char *line)
+{
+    char name[LINE_SIZE], accepted[VALUE_SIZE];
+    size_t length = strcspn(line, "]");
+    if (!line[length] || line[length + 1 + strspn(line + length + 1, " \t\r\n")]) {
+        fail_line(reading, MALFORMED);
+        return;
+    }
+    snprintf(name, sizeof name, "%.*s", (int)length, line);
+    if (find_section(reading->scene, name).name)
+        return;
+    list_sections(reading->scene, accepted, sizeof accepted);
+    base_fail(reading->scene->log, DPL_REASON_UNKNOWN_SECTION, "%s:%d: no such section: \"%s\" (accepted: %s)",
+              reading->name, reading->line, name, accepted);
+    reading->failed = true;
+}
+
+/* Hands the parser one line, checked, without leading blanks (it would take them for a continued value) and without its
+ * comment. */
 static char *next_line(char *line, int size, void *user)
 {
     struct reading *reading = user;
     if (reading->next == reading->end || reading->failed)
         return NULL;
-    const char *stop = memchr(reading->next, '\n', (size_t)(reading->end - reading->next));
+    const char *start = reading->next, *stop = memchr(start, '\n', (size_t)(reading->end - start));
     stop = stop ? stop : reading->end;
-    const char *start = reading->next;
-    while (start < stop && (*start == ' ' || *start == '\t'))
-        start++;
-    size_t length = (size_t)(stop - start);
     reading->next = stop < reading->end ? stop + 1 : stop;
-    reading->line++;
-    if (length + 2 > (size_t)size) {
+    if (reading->line++ == 0 && stop - start >= 3 && !memcmp(start, "\xEF\xBB\xBF", 3))
+        start += 3; /* byte order mark */
+    while (start < stop && strchr(" \t\r", *start))
+        start++;
+    size_t length = (size_t)(text_end(start, stop) - start), most = size < LINE_SIZE ? (size_t)size : LINE_SIZE;
+    if (length + 2 > most) {
         fail_line(reading, "line too long (at most 197 bytes)");
         return NULL;
     }
     memcpy(line, start, length);
-    line[length] = '\n';
-    line[length + 1] = '\0';
-    char *comment = strstr(line, " #");
-    if (comment)
-        strcpy(comment, "\n");
-    return line;
+    strcpy(line + length, "\n");
+    if (*line == '[')
+        check_section(reading, line + 1);
+    else if (length > 0 && !strchr(line, '='))
+        fail_line(reading, MALFORMED);
+    return reading->failed ? NULL : line;
 }
 
 /* Called by the parser with each value. */
@@ -191,9 +221,9 @@ static bool parse(struct dpl_scene *scene, const char *name, const char *text, s
         return base_fail(scene->log, DPL_REASON_FILE_FORMAT, "%s: is not scene text: it contains zero bytes", name);
     struct reading reading = {.scene = scene, .name = name, .next = text, .end = text + length};
     int line = ini_parse_stream(next_line, &reading, take_value, &reading);
-    if (line > 0 && !reading.failed) {
+    if (line != 0 && !reading.failed) {
         reading.line = line;
-        fail_line(&reading, "neither a [section], nor key = value, nor a comment");
+        fail_line(&reading, MALFORMED);
     }
     return !reading.failed;
 }
@@ -269,7 +299,7 @@ bool dpl_scene_save(const struct dpl_scene *scene, const char *path)
         return false;
     for (int i = 0; dpl_scene_section(scene, i).name; i++) {
         struct dpl_section section = dpl_scene_section(scene, i);
-        if (section.active || !is_default(&section))
+        if (section.active || wave_number(section.name) >= 0 || !is_default(&section))
             write_section(writer.stream, &section);
     }
     return file_end(&writer, true, scene->log);

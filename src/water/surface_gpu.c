@@ -14,10 +14,11 @@ bool surface_gpu_evaluate(struct dpl_gl *gl, struct surface_gpu *surface, const 
                           const struct water_setup *setup, double time)
 {
     if (surface->model != model) {
-        if (!program_build(gl, &surface->program, model->shader, ""))
-            return false;
+        program_finish(gl, &surface->program);
         surface->model = model;
     }
+    if (!program_ready(gl, &surface->program, model->shader, ""))
+        return false;
     int side = model->grid(setup);
     float constants[WATER_CONSTANTS_MAX][4] = {{0}};
     int count = model->constants(setup, time, constants);
@@ -66,14 +67,8 @@ void surface_gpu_bind(struct dpl_gl *gl, const struct surface_gpu *surface, cons
     program_float(gl, program, "surface_size", surface->size);
 }
 
-void surface_gpu_reload(struct dpl_gl *gl, struct surface_gpu *surface)
-{
-    program_finish(gl, &surface->program);
-    surface->model = NULL;
-}
-
 void surface_gpu_finish(struct dpl_gl *gl, struct surface_gpu *surface)
 {
-    surface_gpu_reload(gl, surface);
+    program_finish(gl, &surface->program);
     texture_finish(gl, &surface->texels);
 }

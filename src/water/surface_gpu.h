@@ -33,9 +33,6 @@ bool surface_gpu_read(struct dpl_gl *gl, struct surface_gpu *surface, struct sur
 void surface_gpu_bind(struct dpl_gl *gl, const struct surface_gpu *surface, const struct gpu_program *program,
                       int unit);
 
-/* Forgets programs, so that they are built from their files anew. */
-void surface_gpu_reload(struct dpl_gl *gl, struct surface_gpu *surface);
-
 void surface_gpu_finish(struct dpl_gl *gl, struct surface_gpu *surface);
 
 #endif

@@ -1,0 +1,146 @@
+#include "cli/commands.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* Flags that choose and change a scene and say where it is computed. */
+#define SCENE_FLAGS                                                                                                    \
+    (FLAG_BIT(FLAG_SET) | FLAG_BIT(FLAG_MAP) | FLAG_BIT(FLAG_TECHNIQUE) | FLAG_BIT(FLAG_SEED) |                        \
+     FLAG_BIT(FLAG_DEVICE) | FLAG_BIT(FLAG_SHADERS) | FLAG_BIT(FLAG_HELP))
+/* Flags of the commands that write files. */
+#define FILE_FLAGS                                                                                                     \
+    (SCENE_FLAGS | FLAG_BIT(FLAG_OUTPUT) | FLAG_BIT(FLAG_TIME) | FLAG_BIT(FLAG_FRAMES) | FLAG_BIT(FLAG_FPS) |          \
+     FLAG_BIT(FLAG_BITS) | FLAG_BIT(FLAG_JSON) | FLAG_BIT(FLAG_QUIET))
+
+const struct command commands[] = {
+    {
+        .name = "render",
+        .operand = "[SCENE]",
+        .help = "a picture, numbered pictures or a video",
+        .more = "OUT ends in .png, .exr or .pfm (a picture; with %04d in its name: numbered pictures), or in .mp4,\n"
+                ".webm or .gif (a video, through ffmpeg). Needs OpenGL, but no display.\n",
+        .examples = {"render collard-3 --time 2.5 -o water.png", "render --frames 120 --size 1920x1080 -o water.mp4"},
+        .frames = "1; of a video scene.loop x fps, or 120 where the scene does not loop",
+        .flags = FILE_FLAGS | FLAG_BIT(FLAG_SIZE),
+        .run = command_render,
+    },
+    {
+        .name = "map",
+        .operand = "[SCENE]",
+        .help = "the caustic map of the floor",
+        .more = "OUT ends in .png (clamped), .exr or .pfm (linear, unclamped). 1 is the light under flat water.\n",
+        .examples = {"map --map 2048 -o caustics.exr",
+                     "map my-pool.ini --white 4 --bits 16 --frames 60 -o map-%04d.png"},
+        .frames = "1",
+        .flags = FILE_FLAGS | FLAG_BIT(FLAG_WHITE),
+        .run = command_map,
+    },
+    {
+        .name = "surface",
+        .operand = "[SCENE]",
+        .help = "the water's height and slopes on its own grid",
+        .more = "Red is the height in metres, green and blue are the slopes along x and z. OUT ends in .exr or .pfm\n"
+                "(as they are) or .png (0.5 + 0.5 v/r, where r is the largest |v| of the channel; r is printed).\n",
+        .examples = {"surface collard-4 -o water.pfm",
+                     "surface --set collard.amplitude=0.1 --time 3 --bits 16 -o water.png"},
+        .frames = "1",
+        .flags = FILE_FLAGS,
+        .run = command_surface,
+    },
+    {
+        .name = "bench",
+        .operand = "[SCENE]",
+        .help = "time of a frame and of each of its passes on this device",
+        .more = "Whole frames are timed first, then each pass by itself, waiting for the device after each: the\n"
+                "passes together may take longer than the frame.\n",
+        .examples = {"bench --size 1920x1080", "bench collard-2 --map 2048 --frames 101 --json"},
+        .frames = "21",
+        .flags = SCENE_FLAGS | FLAG_BIT(FLAG_FRAMES) | FLAG_BIT(FLAG_SIZE) | FLAG_BIT(FLAG_JSON) | FLAG_BIT(FLAG_QUIET),
+        .run = command_bench,
+    },
+    {
+        .name = "view",
+        .operand = "[SCENE]",
+        .help = "the scene in a window",
+        .more = "Needs a display, and a build with GLFW and Dear ImGui (Debian: libglfw3-dev libimgui-dev).\n",
+        .examples = {"view", "view collard-4 --size 1920x1080"},
+        .flags = SCENE_FLAGS | FLAG_BIT(FLAG_TIME) | FLAG_BIT(FLAG_SIZE),
+        .run = command_view,
+    },
+    {
+        .name = "list",
+        .operand = "scenes|waters|techniques|params",
+        .help = "what there is, with a line on each",
+        .more = "params are the values of a scene: for scene files and --set.\n",
+        .examples = {"list scenes", "list params --json"},
+        .flags = FLAG_BIT(FLAG_JSON) | FLAG_BIT(FLAG_MARKDOWN) | FLAG_BIT(FLAG_HELP),
+        .run = command_list,
+    },
+    {
+        .name = "info",
+        .help = "the device, its limits, versions, and what falls back to what",
+        .more = "",
+        .examples = {"info", "info --json"},
+        .flags = FLAG_BIT(FLAG_JSON) | FLAG_BIT(FLAG_HELP),
+        .run = command_info,
+    },
+    {
+        .name = "help",
+        .operand = "[COMMAND]",
+        .help = "what the program or one of its commands does",
+        .more = "",
+        .examples = {"help", "help render"},
+        .flags = FLAG_BIT(FLAG_HELP),
+        .run = command_help,
+    },
+    {.name = NULL},
+};
+
+const struct command *command_find(const char *name)
+{
+    for (const struct command *command = commands; command->name; command++)
+        if (!strcmp(command->name, name))
+            return command;
+    return NULL;
+}
+
+static int least(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+/* Letters to insert, delete or replace to get from one word to the other (Levenshtein's distance), of at most their
+ * first 31 bytes. */
+static int edit_distance(const char *from, const char *to)
+{
+    int row[32];
+    int width = (int)strnlen(to, 31);
+    for (int i = 0; i <= width; i++)
+        row[i] = i;
+    for (int j = 1; j < 32 && from[j - 1]; j++) {
+        int diagonal = row[0];
+        row[0] = j;
+        for (int i = 1; i <= width; i++) {
+            int replaced = diagonal + (from[j - 1] != to[i - 1]);
+            diagonal = row[i];
+            row[i] = least(replaced, least(row[i], row[i - 1]) + 1);
+        }
+    }
+    return row[width];
+}
+
+const struct command *command_nearest(const char *name)
+{
+    const struct command *nearest = commands;
+    for (const struct command *command = commands; command->name; command++)
+        if (edit_distance(name, command->name) < edit_distance(name, nearest->name))
+            nearest = command;
+    return nearest;
+}
+
+void command_names(char *text, size_t size)
+{
+    size_t used = 0;
+    for (const struct command *command = commands; command->name && used < size; command++)
+        used += (size_t)snprintf(text + used, size - used, "%s%s", used ? ", " : "", command->name);
+}

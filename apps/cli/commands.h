@@ -1,0 +1,38 @@
+/* cli/commands.h: every command, once: what `dapple help` says of it, the flags it takes, and what it does. */
+#ifndef CLI_COMMANDS_H
+#define CLI_COMMANDS_H
+
+#include "cli/options.h"
+
+#define DEFAULT_SCENE "collard-1"
+
+struct command {
+    const char *name;        /* NULL ends the table */
+    const char *operand;     /* the one word that may follow, for help; NULL: none */
+    const char *help;        /* one line */
+    const char *more;        /* what help says besides; lines end with a line feed */
+    const char *examples[2]; /* what follows `dapple ` */
+    const char *frames;      /* default of --frames, for help; NULL: does not take it */
+    unsigned flags;          /* FLAG_BIT of those it takes */
+    /* Returns false after the reason was logged. */
+    bool (*run)(const struct options *options, struct program_log *log);
+};
+extern const struct command commands[];
+
+/* The command of that name; NULL: none. */
+const struct command *command_find(const char *name);
+/* The command whose name is the least edits away. */
+const struct command *command_nearest(const char *name);
+/* "render, map, …" */
+void command_names(char *text, size_t size);
+
+bool command_render(const struct options *options, struct program_log *log);
+bool command_map(const struct options *options, struct program_log *log);
+bool command_surface(const struct options *options, struct program_log *log);
+bool command_bench(const struct options *options, struct program_log *log);
+bool command_view(const struct options *options, struct program_log *log);
+bool command_list(const struct options *options, struct program_log *log);
+bool command_info(const struct options *options, struct program_log *log);
+bool command_help(const struct options *options, struct program_log *log);
+
+#endif

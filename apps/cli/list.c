@@ -1,0 +1,164 @@
+#include "cli/commands.h"
+#include "cli/json.h"
+#include "dapple/scene.h"
+
+#include <string.h>
+
+#define TEXT_SIZE 512 /* bytes of a value, or of what a value accepts */
+
+/* A parameter as the three ways of writing it need it. */
+struct entry {
+    const struct dpl_section *section;
+    const struct dpl_param *param;
+    char initial[TEXT_SIZE], accepted[TEXT_SIZE];
+};
+
+static struct dpl_entry builtin_scene(int index)
+{
+    const struct dpl_builtin_scene *scene = dpl_builtin_scenes() + index;
+    return (struct dpl_entry){scene->name, scene->summary, NULL};
+}
+
+static const struct list {
+    const char *name;
+    struct dpl_entry (*entry)(int index);
+} lists[] = {{"scenes", builtin_scene}, {"waters", dpl_water_model}, {"techniques", dpl_technique}};
+
+static void list_text(const struct list *list)
+{
+    for (int i = 0; list->entry(i).name; i++) {
+        struct dpl_entry entry = list->entry(i);
+        printf("%-14s %s\n", entry.name, entry.summary);
+        if (entry.source)
+            printf("%-14s (%s)\n", "", entry.source);
+    }
+}
+
+static void list_json(const struct list *list)
+{
+    struct json json = {.stream = stdout};
+    json_open(&json, NULL, '{');
+    json_open(&json, list->name, '[');
+    for (int i = 0; list->entry(i).name; i++) {
+        struct dpl_entry entry = list->entry(i);
+        json_open(&json, NULL, '{');
+        json_text(&json, "name", entry.name);
+        json_text(&json, "summary", entry.summary);
+        if (entry.source)
+            json_text(&json, "source", entry.source);
+        json_close(&json, '}');
+    }
+    json_close(&json, ']');
+    json_close(&json, '}');
+    putchar('\n');
+}
+
+static void text_entry(const struct entry *entry)
+{
+    char key[TEXT_SIZE];
+    snprintf(key, sizeof key, "%s.%s", entry->section->name, entry->param->name);
+    printf("  %-28s %s\n  %-28s %s; default %s\n", key, entry->param->help, "", entry->accepted,
+           *entry->initial ? entry->initial : "empty");
+}
+
+/* A cell of a table: its column ends at "|". */
+static void markdown_cell(const char *text)
+{
+    fputs("| ", stdout);
+    for (; *text; text++)
+        printf("%s%c", *text == '|' ? "\\" : "", *text);
+    putchar(' ');
+}
+
+static void markdown_entry(const struct entry *entry)
+{
+    char key[TEXT_SIZE];
+    snprintf(key, sizeof key, "`%s`", entry->param->name);
+    markdown_cell(key);
+    snprintf(key, sizeof key, "`%.500s`", entry->initial);
+    markdown_cell(*entry->initial ? key : "");
+    markdown_cell(entry->accepted);
+    markdown_cell(entry->param->help);
+    puts("|");
+}
+
+static void json_entry(const struct entry *entry, struct json *json)
+{
+    char key[TEXT_SIZE];
+    snprintf(key, sizeof key, "%s.%s", entry->section->name, entry->param->name);
+    json_open(json, NULL, '{');
+    json_text(json, "key", key);
+    json_text(json, "default", entry->initial);
+    json_text(json, "accepted", entry->accepted);
+    json_text(json, "unit", entry->param->unit);
+    json_text(json, "help", entry->param->help);
+    json_close(json, '}');
+}
+
+static void list_section(const struct dpl_section *section, const struct options *options, struct json *json)
+{
+    if (options->markdown)
+        printf("\n## [%s]\n\n%s\n\n| key | default | accepted | what it is |\n|---|---|---|---|\n", section->name,
+               section->help);
+    else if (!options->json)
+        printf("[%s] %s\n", section->name, section->help);
+    for (const struct dpl_param *param = section->params; param->name; param++) {
+        struct entry entry = {.section = section, .param = param};
+        dpl_param_format(param, section->values, entry.initial, sizeof entry.initial);
+        dpl_param_describe(param, entry.accepted, sizeof entry.accepted);
+        if (options->markdown)
+            markdown_entry(&entry);
+        else if (options->json)
+            json_entry(&entry, json);
+        else
+            text_entry(&entry);
+    }
+    if (!options->markdown && !options->json)
+        putchar('\n');
+}
+
+static bool list_params(const struct options *options, struct program_log *log)
+{
+    struct json json = {.stream = stdout};
+    char phase[TEXT_SIZE];
+    struct dpl_scene *scene = dpl_scene_create(&log->log);
+    /* A wave comes into being, with defaults, when one of its values is set. */
+    bool ok = scene && dpl_scene_get(scene, "wave.1.phase", phase, sizeof phase) &&
+              dpl_scene_set(scene, "wave.1.phase", phase);
+    bool as_json = ok && options->json;
+    if (ok && options->markdown)
+        puts("# Values of a scene\n\nIn a scene file: `key = value` below `[section]`. On the command line: "
+             "`--set section.key=value`.\nWaves are `[wave.1]`, `[wave.2]` and so on.");
+    if (as_json) {
+        json_open(&json, NULL, '{');
+        json_open(&json, "params", '[');
+    }
+    for (int i = 0; ok && dpl_scene_section(scene, i).name; i++) {
+        struct dpl_section section = dpl_scene_section(scene, i);
+        list_section(&section, options, &json);
+    }
+    if (as_json) {
+        json_close(&json, ']');
+        json_close(&json, '}');
+        putchar('\n');
+    }
+    dpl_scene_destroy(scene);
+    return ok;
+}
+
+bool command_list(const struct options *options, struct program_log *log)
+{
+    const char *what = options->operand ? options->operand : "";
+    bool params = !strcmp(what, "params");
+    if (options->markdown && (!params || options->json))
+        return fail_input(log, "list: --markdown: only for params, and without --json");
+    if (params)
+        return list_params(options, log);
+    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++) {
+        if (!strcmp(what, lists[i].name)) {
+            (options->json ? list_json : list_text)(lists + i);
+            return true;
+        }
+    }
+    return fail_input(log, "list: no such list: \"%.80s\" (accepted: scenes, waters, techniques, params)", what);
+}

@@ -1,0 +1,86 @@
+#include "cli/sequence.h"
+
+#include "cli/clock.h"
+#include "cli/json.h"
+#include "cli/progress.h"
+
+double sequence_time(const struct options *options, int frame)
+{
+    return options->time + frame / options->fps;
+}
+
+struct result {
+    int width, height;
+    double seconds;
+};
+
+static bool make_frames(const struct sequence *sequence, const struct session *session, struct output *output,
+                        struct result *result)
+{
+    struct progress progress;
+    progress_begin(&progress, sequence->command, output->frames, session->options->quiet, session->log);
+    bool ok = true;
+    for (int i = 0; ok && i < output->frames; i++) {
+        struct dpl_image *image = sequence->make(session, sequence_time(session->options, i));
+        if (image && sequence->look)
+            sequence->look(sequence->user, image);
+        ok = image && output_write(output, image, i);
+        if (image)
+            *result = (struct result){image->width, image->height, 0};
+        dpl_image_destroy(image);
+        progress_step(&progress, i + 1);
+    }
+    progress_end(&progress);
+    return ok;
+}
+
+static void report(const struct session *session, const struct output *output, const struct result *result,
+                   const struct figure *figures)
+{
+    if (session->options->json) {
+        struct json json = {.stream = stdout};
+        json_open(&json, NULL, '{');
+        json_text(&json, "output", session->options->output);
+        json_number(&json, "frames", output->frames);
+        json_number(&json, "width", result->width);
+        json_number(&json, "height", result->height);
+        json_number(&json, "seconds", result->seconds);
+        for (const struct figure *figure = figures; figure && figure->name; figure++)
+            json_number(&json, figure->name, figure->value);
+        json_close(&json, '}');
+        putchar('\n');
+    } else if (!session->options->quiet) {
+        printf("%s: %d x %d, %d %s in %.2f s", session->options->output, result->width, result->height, output->frames,
+               output->frames == 1 ? "frame" : "frames", result->seconds);
+        for (const struct figure *figure = figures; figure && figure->name; figure++)
+            printf(", %s %.6g", figure->name, figure->value);
+        putchar('\n');
+    }
+}
+
+static bool run(const struct sequence *sequence, struct session *session, const struct figure *figures)
+{
+    double started = clock_seconds();
+    struct output output;
+    struct result result = {0};
+    if (!output_plan(&output, session->options, sequence->command, session_value(session, "scene.loop"),
+                     session->log) ||
+        !session_start(session, sequence->needs_gl) ||
+        (sequence->prepare && !sequence->prepare(session, &output, sequence->user)) || !output_begin(&output))
+        return false;
+    bool ok = make_frames(sequence, session, &output, &result);
+    ok = output_end(&output, ok) && ok;
+    result.seconds = clock_seconds() - started;
+    if (ok)
+        report(session, &output, &result, figures);
+    return ok;
+}
+
+bool sequence_run(const struct sequence *sequence, const struct options *options, const struct figure *figures,
+                  struct program_log *log)
+{
+    struct session session;
+    bool ok = session_load(&session, options, log) && run(sequence, &session, figures);
+    session_end(&session);
+    return ok;
+}

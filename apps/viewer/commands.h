@@ -1,0 +1,15 @@
+/* commands.h: what a user can ask for by a key or a button. */
+#ifndef VIEWER_COMMANDS_H
+#define VIEWER_COMMANDS_H
+
+#include <stdbool.h>
+
+struct commands {
+    bool pause, step;      /* pause: or play */
+    bool screenshot, save; /* save: the scene */
+    bool reset, reload;    /* reload: the scene and the shaders, from their files */
+    bool hide, quit;       /* hide: the panels, or show them */
+    const char *load;      /* a built-in scene; NULL: none */
+};
+
+#endif

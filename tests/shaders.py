@@ -1,0 +1,49 @@
+#!/usr/bin/env python3
+"""shaders.py PROGRAM SOURCE [FOLDER]: compiles and links every shader in every dialect with glslangValidator.
+
+PROGRAM writes the text of a stage (shader_source.c), from what the library was built with or from FOLDER. The shaders
+are the .glsl files below SOURCE that no other one includes.
+"""
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+STAGES = {"vertex": "vert", "fragment": "frag"}
+
+
+def top_level(source: Path) -> list[str]:
+    texts = {str(file.relative_to(source)): file.read_text() for file in sorted(source.rglob("*.glsl"))}
+    included = {name for text in texts.values() for name in re.findall(r'^#include "([^"]+)"', text, re.MULTILINE)}
+    return [name for name in texts if name not in included]
+
+
+def validate(program: str, shader: str, dialect: str, folder: list[str]) -> str:
+    """What is wrong with the shader; empty where nothing is."""
+    with tempfile.TemporaryDirectory() as scratch:
+        stages = []
+        for stage, suffix in STAGES.items():
+            made = subprocess.run([program, shader, dialect, stage, *folder], capture_output=True, text=True)
+            if made.returncode:
+                return made.stderr
+            stages.append(f"{stage}.{suffix}")
+            Path(scratch, stages[-1]).write_text(made.stdout)
+        # -l also finds a missing main(), and a vertex stage whose outputs are not the fragment stage's inputs.
+        said = subprocess.run(["glslangValidator", "-l", *stages], cwd=scratch, capture_output=True, text=True)
+        return said.stdout + said.stderr if said.returncode else ""
+
+
+def main() -> None:
+    program, source, *folder = sys.argv[1:]
+    shaders = top_level(Path(source))
+    failed = not shaders
+    for shader in shaders:
+        for dialect in ("gl33", "es30"):
+            wrong = validate(program, shader, dialect, folder)
+            print(f"{shader} {dialect}: {wrong or 'good'}")
+            failed = failed or bool(wrong)
+    sys.exit(1 if failed else 0)
+
+
+main()

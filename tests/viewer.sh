@@ -1,0 +1,284 @@
+# Uses the window as a person does, on a display of its own, and checks what the screen shows.
+# usage: viewer.sh DAPPLE [SHADERS]     SHADERS: the source's src/ (default: beside this script)
+# KEEP=1 keeps the pictures of the screen and says where.
+set -u
+dapple=$1
+shaders=${2:-$(dirname "$0")/../src}
+for tool in Xvfb xdotool import compare convert; do
+    command -v $tool >/dev/null || { echo "skipped: $tool is missing"; exit 77; }
+done
+"$dapple" info | grep -q '^viewer  *yes' || { echo "skipped: this build has no viewer"; exit 77; }
+
+# Places in a window of 1280 × 720 at a scale of 1.
+width=1280 height=720
+middle=640x600+380+20        # of the picture, clear of the panels: WxH+X+Y
+scene_menu='180 45'          # the menu; its first entry and the distance to the next stand below it
+entry_x=60 entry_y=70 entry_step=17
+save_button='260 91'
+depth_from='120 210' depth_to='40 210' # the slider of scene.depth, and of [scene] the button "reset"
+scene_reset='316 164'
+
+folder=$(mktemp -d) viewer= display=
+finish() {
+    [ -z "$viewer" ] || kill "$viewer" 2>/dev/null
+    [ -z "$display" ] || kill "$display" 2>/dev/null
+    if [ -n "${KEEP:-}" ]; then echo "pictures: $folder"; else rm -rf "$folder"; fi
+}
+trap finish EXIT
+trap 'exit 1' INT TERM
+
+fail() {
+    echo "FAILED: $*"
+    cat "$folder/log"
+    exit 1
+}
+
+# try SECONDS COMMAND…: repeats the command until it succeeds.
+try() {
+    end=$(($(date +%s) + $1))
+    shift
+    until "$@"; do
+        [ "$(date +%s)" -lt $end ] || return 1
+        sleep 0.1
+    done
+}
+
+# screen NAME [AREA]: the area (default: the whole window) as NAME.png.
+screen() {
+    import -silent -window root -crop "${2:-${width}x$height+0+0}" +repage "$folder/$1.png"
+}
+
+# differ A B: how far two pictures are apart, in thousandths of full brightness.
+differ() {
+    compare -metric RMSE "$folder/$1.png" "$folder/$2.png" null: 2>&1 | sed 's/.*(\(.*\))/\1/' |
+        awk '{ printf "%d\n", $1 * 1000 + 0.5 }'
+}
+
+# rests NAME: two pictures of the screen in a row are the same, and are NAME.png.
+rests() {
+    screen before "$middle"
+    sleep 0.4
+    screen "$1" "$middle"
+    [ "$(differ before "$1")" -eq 0 ]
+}
+
+# shows_other NAME OTHER [LEAST]: the picture is at rest and is not OTHER.png.
+shows_other() {
+    rests "$1" && [ "$(differ "$1" "$2")" -gt "${3:-4}" ]
+}
+
+shows_same() {
+    rests "$1" && [ "$(differ "$1" "$2")" -le 1 ]
+}
+
+moves() {
+    screen before "$middle"
+    sleep 0.3
+    screen after "$middle"
+    [ "$(differ before after)" -gt 2 ]
+}
+
+# A frame on a busy machine without a GPU may take longer than these pauses: what needs several frames in a row is tried
+# again by whoever asked for it.
+point() {
+    xdotool mousemove "$1" "$2"
+    sleep 0.4
+}
+
+click() {
+    point "$1" "$2"
+    xdotool click 1
+    sleep 0.4
+}
+
+# drag X Y X Y [BUTTON]
+drag() {
+    point "$1" "$2"
+    xdotool mousedown "${5:-1}"
+    sleep 0.4
+    point "$3" "$4"
+    xdotool mouseup "${5:-1}"
+    sleep 0.4
+}
+
+find_window() {
+    window=$(xdotool search --onlyvisible --name '^dapple' 2>/dev/null | head -n 1)
+    [ -n "$window" ]
+}
+
+is_drawn() {
+    screen first "$middle"
+    [ "$(convert "$folder/first.png" -format '%[fx:standard_deviation > 0.02]' info:)" = 1 ]
+}
+
+# open ARGUMENTS…: starts the viewer and waits for a picture.
+open() {
+    (cd "$folder" && exec "$dapple" view --size ${width}x$height "$@") >"$folder/log" 2>&1 &
+    viewer=$!
+    try 30 find_window || fail "no window appears"
+    xdotool windowfocus "$window"
+    try 30 is_drawn || fail "the window stays blank"
+}
+
+pause() {
+    xdotool key p
+    try 20 rests paused || fail "P does not pause"
+}
+
+is_gone() {
+    ! kill -0 "$viewer" 2>/dev/null
+}
+
+close() {
+    xdotool key Escape
+    try 20 is_gone || fail "Escape does not close the window"
+    wait "$viewer" || fail "closed by Escape, the exit code is $?"
+    viewer=
+}
+
+# choose NAME: in the menu of scenes; then the title has that name.
+choose() {
+    index=$("$dapple" list scenes | awk -v name="$1" '$1 == name { print NR - 1 }')
+    click $scene_menu
+    click $entry_x $((entry_y + entry_step * index))
+    point $((width / 2)) $((height / 2))
+    [ "$(xdotool getwindowname "$window")" = "dapple - $1" ]
+}
+
+has_file() {
+    [ -s "$folder/$1" ]
+}
+
+# The window, without its panels, is pixel by pixel what the screenshot of that number holds.
+check_screenshot() {
+    xdotool key F2
+    try 20 has_file "dapple-000$1.png" || fail "F2 writes no screenshot"
+    [ "$(identify -format '%wx%h' "$folder/dapple-000$1.png")" = "${width}x$height" ] ||
+        fail "the screenshot is not as large as the window"
+    try 20 filled "$1" || fail "the picture does not fill the window of $width x $height"
+}
+
+filled() {
+    screen whole
+    [ "$(differ whole "dapple-000$1")" -le 1 ]
+}
+
+check_presets() {
+    previous=paused
+    for number in 2 3 4 1; do
+        try 20 choose collard-$number || fail "the menu does not choose collard-$number"
+        try 20 shows_other preset-$number $previous || fail "choosing collard-$number changes nothing"
+        previous=preset-$number
+    done
+    for pair in '1 2' '1 3' '1 4' '2 3' '2 4' '3 4'; do
+        set -- $pair
+        [ "$(differ "preset-$1" "preset-$2")" -gt 4 ] || fail "collard-$1 and collard-$2 look the same"
+    done
+}
+
+# changes NAME OTHER PROBLEM ACTION…: acts until the picture, NAME.png, is not OTHER.png any more.
+changes() {
+    name=$1 other=$2 what=$3
+    shift 3
+    for _ in 1 2 3; do
+        "$@"
+        point $((width / 2)) $((height / 2))
+        try 5 shows_other "$name" "$other" && return
+    done
+    fail "$what"
+}
+
+hold_w() {
+    xdotool keydown w
+    sleep 0.5
+    xdotool keyup w
+}
+
+check_controls() {
+    try 20 rests still || fail "the picture does not rest"
+    changes slid still "the slider of scene.depth changes nothing" drag $depth_from $depth_to
+    changes reset slid "the button reset changes nothing" click $scene_reset
+    [ "$(differ reset still)" -le 1 ] || fail "the button reset does not bring the picture back"
+    changes orbited still "dragging does not move the camera" drag 600 300 700 330
+    changes nearer orbited "the wheel does not move the camera" xdotool click 4
+    changes flown nearer "W does not move the camera" hold_w
+    changes looked flown "dragging with the right button does not move the camera" drag 600 300 640 320 3
+    changes stepped looked "N does not move the water" xdotool key n n n n n n
+    click $save_button
+    try 20 has_file dapple-0001.ini || fail "the button \"Save scene\" writes nothing"
+}
+
+resize() {
+    width=$1 height=$2
+    xdotool windowsize "$window" "$width" "$height"
+    sleep 1
+    screen "resized-$width"
+}
+
+check_window() {
+    screen panels
+    xdotool key h
+    check_screenshot 1
+    resize 700 500
+    check_screenshot 2
+    resize 1500 900
+    check_screenshot 3
+    resize 1280 720
+    xdotool key h
+    try 20 shows_panels || fail "H does not bring the panels back"
+    sleep 6
+}
+
+shows_panels() {
+    screen whole 300x600+0+0
+    convert "$folder/panels.png" -crop 300x600+0+0 +repage "$folder/expected.png"
+    [ "$(differ whole expected)" -le 20 ]
+}
+
+# A scene's file and a shader that are edited while the window shows them.
+check_reload() {
+    cp -r "$shaders" "$folder/shaders"
+    printf '[water]\nmodel = collard\n[caustics]\nmap = 256\n' >"$folder/pool.ini"
+    open pool.ini --shaders shaders
+    pause
+    printf '[scene]\ndepth = 0.3\n' >>"$folder/pool.ini"
+    try 20 shows_other edited paused || fail "the scene is not read anew"
+    printf 'depth = deep\n' >>"$folder/pool.ini"
+    try 20 logged 'pool.ini:7: scene.depth' || fail "no message for a broken scene"
+    try 20 shows_same kept edited || fail "a broken scene takes the picture away"
+    screen message
+    sed '/^    color = /a color.rgb = color.bgr;' "$shaders/render/collard_ground.glsl" \
+        >"$folder/shaders/render/collard_ground.glsl"
+    try 20 shows_other recolored kept || fail "the shader is not read anew"
+    echo 'nonsense' >>"$folder/shaders/render/collard_ground.glsl"
+    try 20 logged 'render/collard_ground.glsl' || fail "no message for a broken shader"
+    try 20 shows_same survived recolored || fail "a broken shader takes the picture away"
+    close
+}
+
+logged() {
+    grep -q "$1" "$folder/log"
+}
+
+check_no_display() {
+    (unset DISPLAY WAYLAND_DISPLAY; "$dapple" view) >"$folder/log" 2>&1
+    [ $? -eq 1 ] || fail "without a display the exit code is not 1"
+    logged 'window: cannot be opened' || fail "without a display there is no message"
+}
+
+check_no_display
+Xvfb -displayfd 3 -screen 0 1600x1000x24 -nolisten tcp 3>"$folder/display" 2>/dev/null &
+display=$!
+try 20 has_file display || fail "Xvfb does not start"
+DISPLAY=:$(cat "$folder/display")
+export DISPLAY
+open collard-1
+try 20 moves || fail "the water does not move"
+pause
+check_presets
+check_controls
+check_window
+[ ! -e "$folder/imgui.ini" ] || fail "imgui.ini was written"
+close
+check_reload
+echo "passed"
