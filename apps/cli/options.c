@@ -38,16 +38,16 @@ static bool read_number(const struct flag *flag, const char *text, double *numbe
 static bool read_size(const struct flag *flag, const char *text, int size[2], struct program_log *log)
 {
     const char *next = text;
-    double sides[2];
+    long sides[2];
     for (int i = 0; i < 2; i++) {
         size_t digits = strspn(next, "0123456789");
         if (digits == 0 || next[digits] != (i == 0 ? 'x' : '\0'))
             return reject(flag, "not a size", text, log);
-        sides[i] = strtod(next, NULL);
+        sides[i] = strtol(next, NULL, 10);
         next += digits + 1;
     }
     for (int i = 0; i < 2; i++) {
-        if (!(sides[i] >= flag->minimum && sides[i] <= flag->maximum))
+        if ((double)sides[i] < flag->minimum || (double)sides[i] > flag->maximum)
             return reject(flag, "out of range", text, log);
         size[i] = (int)sides[i];
     }

@@ -81,11 +81,11 @@ static bool count_frames(struct output *output, double loop)
     if (frames == 0)
         frames = output->kind != OUTPUT_VIDEO ? 1 : loop > 0 ? fmax(1, round(loop * options->fps)) : 120;
     if (frames > FRAMES_MAX)
-        return fail_input(output->log, "scene.loop: %g frames are too many (accepted: at most %d; give --frames)",
+        return fail_input(output->log, "scene.loop: %.0f frames are too many (accepted: at most %d; give --frames)",
                           frames, FRAMES_MAX);
     if (frames > 1 && output->kind == OUTPUT_PICTURE)
         return fail_input(output->log,
-                          "-o: one name for %g pictures: \"%s\" (accepted: a name with %%04d, as in water-%%04d.png)",
+                          "-o: one name for %.0f pictures: \"%s\" (accepted: a name with %%04d, as in water-%%04d.png)",
                           frames, options->output);
     output->frames = (int)frames;
     return true;

@@ -17,7 +17,7 @@ extern "C" {
 #include <new>
 
 /* Sizes in the window's coordinates at a scale of 1. */
-static const float FONT_SIZE = 13, MARGIN = 8, LEFT_WIDTH = 348, RIGHT_WIDTH = 208, BOTH_WIDTH = 720;
+static const float FONT_SIZE = 13, MARGIN = 8, LEFT_WIDTH = 348, RIGHT_WIDTH = 232, BOTH_WIDTH = 744;
 static const float DRAG_SPEED = 0.02f; /* units a pixel */
 
 struct panel {
@@ -245,13 +245,16 @@ static void draw_passes(const panel_view &view)
     ImGui::EndTable();
 }
 
-static void draw_thumbnails(const panel_view &view)
+/* Their size leaves room for a scroll bar whether there is one or not: it must not depend on the bar that it calls for.
+ */
+static void draw_thumbnails(const panel *panel, const panel_view &view)
 {
+    const ImGuiStyle &style = ImGui::GetStyle();
+    float side = RIGHT_WIDTH * panel->scale - 2 * style.WindowPadding.x - style.ScrollbarSize;
     for (int i = 0;; i++) {
         dpl_thumbnail thumbnail = dpl_renderer_thumbnail(view.renderer, i);
         if (!thumbnail.name)
             return;
-        float side = ImGui::GetContentRegionAvail().x;
         ImGui::TextUnformatted(thumbnail.name);
         ImGui::Image((ImTextureID)(intptr_t)thumbnail.texture,
                      ImVec2(side, side * (float)thumbnail.height / (float)thumbnail.width));
@@ -260,13 +263,13 @@ static void draw_thumbnails(const panel_view &view)
 
 static void draw_keys()
 {
-    if (!ImGui::CollapsingHeader("keys") || !ImGui::BeginTable("keys", 2))
+    if (!ImGui::CollapsingHeader("keys") || !ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit))
         return;
     for (const input_key *key = input_keys(); key->name; key++) {
         ImGui::TableNextColumn();
         ImGui::TextDisabled("%s", key->name);
         ImGui::TableNextColumn();
-        ImGui::TextWrapped("%s", key->meaning);
+        ImGui::TextUnformatted(key->meaning);
     }
     ImGui::EndTable();
 }
@@ -281,7 +284,7 @@ static void draw_right(const panel *panel, const panel_view &view)
     ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0), ImVec2(width, display.y - 2 * margin));
     if (ImGui::Begin("Frame", nullptr, FIXED_WINDOW | ImGuiWindowFlags_AlwaysAutoResize)) {
         draw_passes(view);
-        draw_thumbnails(view);
+        draw_thumbnails(panel, view);
         draw_keys();
     }
     ImGui::End();

@@ -47,13 +47,13 @@ DPL_API void dpl_gl_destroy(struct dpl_gl *gl);
 /* What the device is and can do. Text belongs to the struct dpl_gl. */
 struct dpl_gl_info {
     const char *vendor, *renderer, *version;
-    bool es;             /* OpenGL ES */
-    bool software;       /* runs on the CPU: Mesa's llvmpipe or softpipe, SwiftShader */
-    bool float_render;   /* can draw to 16- and 32-bit float textures */
-    bool timer_queries;  /* can time passes on the device */
-    bool polygon_mode;   /* can draw wireframe */
-    int texture_max;     /* largest side of a texture, texels */
-    int samples_max;     /* most samples a pixel */
+    bool es;            /* OpenGL ES */
+    bool software;      /* runs on the CPU: Mesa's llvmpipe or softpipe, SwiftShader */
+    bool float_render;  /* can draw to 16- and 32-bit float textures */
+    bool timer_queries; /* can time passes on the device */
+    bool polygon_mode;  /* can draw wireframe */
+    int texture_max;    /* largest side of a texture, texels */
+    int samples_max;    /* most samples a pixel */
 };
 DPL_API const struct dpl_gl_info *dpl_gl_describe(const struct dpl_gl *gl);
 

@@ -17,8 +17,8 @@ static char *read_stream(FILE *stream, const char *path, size_t most, size_t *le
         return NULL;
     }
     if ((unsigned long long)status.st_size > most) {
-        base_fail(log, DPL_REASON_FILE_READ, "%s: too large: %lld bytes (at most %zu)", path,
-                  (long long)status.st_size, most);
+        base_fail(log, DPL_REASON_FILE_READ, "%s: too large: %lld bytes (at most %zu)", path, (long long)status.st_size,
+                  most);
         return NULL;
     }
     size_t size = (size_t)status.st_size;

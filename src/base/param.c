@@ -153,9 +153,11 @@ bool param_parse(const struct dpl_param *param, void *values, const char *text, 
     }
 }
 
-/* The shortest decimal text that reads back to the same number. */
+/* The shortest decimal text that reads back to the same number; whole numbers without an exponent. */
 static int format_number(double number, char *text, size_t size)
 {
+    if (number == floor(number) && fabs(number) < 1e9)
+        return snprintf(text, size, "%.0f", number);
     for (int digits = 6; digits < 17; digits++) {
         int length = snprintf(text, size, "%.*g", digits, number);
         if (strtod(text, NULL) == number)

@@ -72,18 +72,20 @@ static void detect_abilities(struct dpl_gl *gl, const struct dpl_gl_options *opt
 {
     gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &gl->info.texture_max);
     gl->GetIntegerv(GL_MAX_SAMPLES, &gl->info.samples_max);
-    gl->info.float_render = texture_can_render(gl, GL_RGBA32F) && texture_can_render(gl, GL_RG16F) &&
-                            texture_can_render(gl, GL_R16F);
+    gl->info.float_render =
+        texture_can_render(gl, GL_RGBA32F) && texture_can_render(gl, GL_RG16F) && texture_can_render(gl, GL_R16F);
     gl->info.timer_queries = !gl->info.es || has_extension(gl, "GL_EXT_disjoint_timer_query");
     if (!gl->info.es)
         gl->PolygonMode = (PFNGLPOLYGONMODEPROC)options->get_proc_address(options->user, "glPolygonMode");
     gl->info.polygon_mode = gl->PolygonMode != NULL;
-    add_fallback(gl, !gl->info.float_render, "no drawing to float textures: surfaces and caustic maps are computed on "
-                                             "the CPU and uploaded");
+    add_fallback(gl, !gl->info.float_render,
+                 "no drawing to float textures: surfaces and caustic maps are computed on "
+                 "the CPU and uploaded");
     add_fallback(gl, !gl->info.timer_queries, "no timer queries: passes are timed by waiting for the device");
     add_fallback(gl, !gl->info.polygon_mode, "no polygon mode: wireframe is drawn filled");
-    add_fallback(gl, gl->info.software, "OpenGL runs on the CPU: techniques with a CPU path of their own use that "
-                                        "unless --device gl is given");
+    add_fallback(gl, gl->info.software,
+                 "OpenGL runs on the CPU: techniques with a CPU path of their own use that "
+                 "unless --device gl is given");
 }
 
 struct dpl_gl *dpl_gl_create(const struct dpl_gl_options *options, const struct dpl_log *log)

@@ -85,9 +85,9 @@ struct dpl_gl {
     PFNGLPOLYGONMODEPROC PolygonMode; /* NULL in OpenGL ES */
     struct dpl_gl_info info;
     const char *fallbacks[GPU_FALLBACKS_MAX + 1];
-    char *shader_folder; /* NULL: shaders are those built in */
-    unsigned empty_array; /* a vertex array without attributes, for drawing from gl_VertexID */
-    unsigned generation; /* of the shader files; counts from 1, one up with each reload */
+    char *shader_folder;           /* NULL: shaders are those built in */
+    unsigned empty_array;          /* a vertex array without attributes, for drawing from gl_VertexID */
+    unsigned generation;           /* of the shader files; counts from 1, one up with each reload */
     struct gpu_headless *headless; /* NULL in a caller's context */
     const struct dpl_log *log;
 };

@@ -44,8 +44,7 @@ static bool load_egl(struct gpu_headless *headless)
     if (!headless->library)
         return false;
     bool ok = true;
-#define EGL_LOAD(result, name, parameters)                                                                             \
-    ok = load_symbol(headless->library, "egl" #name, &headless->name) && ok;
+#define EGL_LOAD(result, name, parameters) ok = load_symbol(headless->library, "egl" #name, &headless->name) && ok;
     EGL_FUNCTIONS(EGL_LOAD)
 #undef EGL_LOAD
     return ok;
@@ -77,8 +76,9 @@ static bool open_context(struct gpu_headless *headless, bool es)
 {
     const EGLint choice[] = {EGL_RENDERABLE_TYPE, es ? EGL_OPENGL_ES3_BIT : EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0,
                              EGL_NONE};
-    const EGLint core[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3,
-                           EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    const EGLint core[] = {
+        EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     const EGLint embedded[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0, EGL_NONE};
     EGLConfig config;
     EGLint count = 0;

@@ -44,8 +44,8 @@ void program_mat4(struct dpl_gl *gl, const struct gpu_program *program, const ch
 
 enum program_dialect { PROGRAM_GL33, PROGRAM_ES30 };
 
-/* The whole text of one stage as it is compiled: what the tests hand to a validator. The caller frees it; NULL, with the
- * reason logged, where a file is missing. */
+/* The whole text of one stage as it is compiled: what the tests hand to a validator. The caller frees it; NULL, with
+ * the reason logged, where a file is missing. */
 char *program_source(const char *path, const char *shader_folder, enum program_dialect dialect, bool fragment,
                      const char *defines, const struct dpl_log *log);
 

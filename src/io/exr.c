@@ -2,33 +2,33 @@
 #include "base/log.h"
 #include "io/format.h"
 
+#include <errno.h>
 #include <openexr.h>
-#include <stdlib.h>
+#include <string.h>
 
 struct exr_output {
     FILE *stream;
-    const char *path;
-    const struct dpl_log *log;
+    int error; /* errno of the write that failed */
 };
 
 static int64_t write_bytes(exr_const_context_t context, void *user, const void *bytes, uint64_t size, uint64_t offset,
                            exr_stream_error_func_ptr_t error)
 {
+    (void)context;
+    (void)error;
     struct exr_output *output = user;
     if (fseek(output->stream, (long)offset, SEEK_SET) == 0 && fwrite(bytes, 1, size, output->stream) == size)
         return (int64_t)size;
-    error(context, EXR_ERR_WRITE_IO, "cannot be written");
+    output->error = errno;
     return -1;
 }
 
-static void report_error(exr_const_context_t context, exr_result_t code, const char *text)
+/* Called with the context locked, so that nothing can be asked of it: the result alone tells. */
+static void ignore_error(exr_const_context_t context, exr_result_t code, const char *text)
 {
-    void *user = NULL;
-    if (exr_get_user_data(context, &user) != EXR_ERR_SUCCESS || !user)
-        return;
-    const struct exr_output *output = user;
-    base_fail(output->log, DPL_REASON_FILE_WRITE, "%s: %s: %s", output->path, exr_get_default_error_message(code),
-              text);
+    (void)context;
+    (void)code;
+    (void)text;
 }
 
 static bool write_header(exr_context_t exr, const struct dpl_image *image)
@@ -84,16 +84,19 @@ static bool write_exr(FILE *stream, const struct dpl_image *image, const struct 
                       const char *path, const struct dpl_log *log)
 {
     (void)format;
-    struct exr_output output = {stream, path, log};
+    struct exr_output output = {.stream = stream};
     exr_context_initializer_t initializer = EXR_DEFAULT_CONTEXT_INITIALIZER;
     initializer.user_data = &output;
     initializer.write_fn = write_bytes;
-    initializer.error_handler_fn = report_error;
+    initializer.error_handler_fn = ignore_error;
     exr_context_t exr;
-    if (exr_start_write(&exr, path, EXR_WRITE_FILE_DIRECTLY, &initializer) != EXR_ERR_SUCCESS)
-        return false;
-    bool ok = write_header(exr, image) && write_chunks(exr, image);
-    return exr_finish(&exr) == EXR_ERR_SUCCESS && ok;
+    bool ok = exr_start_write(&exr, path, EXR_WRITE_FILE_DIRECTLY, &initializer) == EXR_ERR_SUCCESS;
+    if (ok) {
+        ok = write_header(exr, image) && write_chunks(exr, image);
+        ok = exr_finish(&exr) == EXR_ERR_SUCCESS && ok;
+    }
+    return ok || base_fail(log, DPL_REASON_FILE_WRITE, "%s: cannot be written: %s", path,
+                           output.error ? strerror(output.error) : "OpenEXR refuses it");
 }
 
 const struct io_format io_exr = {".exr", write_exr};

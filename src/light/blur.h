@@ -1,5 +1,6 @@
-/* light/blur.h: the box blur of a finished caustic map (Collard & Mundi 2022, section 3.4): each texel becomes the mean of
- * the (2 width)² texels from `width` before it to `width` - 1 after it, along x and z. The map repeats beyond its edges. */
+/* light/blur.h: the box blur of a finished caustic map (Collard & Mundi 2022, section 3.4): each texel becomes the mean
+ * of the (2 width)² texels from `width` before it to `width` - 1 after it, along x and z. The map repeats beyond its
+ * edges. */
 #ifndef LIGHT_BLUR_H
 #define LIGHT_BLUR_H
 

@@ -14,7 +14,8 @@ const char *light_technique_name(int i)
 }
 
 const struct dpl_param light_sun_params[] = {
-    PARAM_FLOAT(struct light_sun, elevation, 60, 0, 90, "degrees", "height of the sun above the horizon; 90 = overhead"),
+    PARAM_FLOAT(struct light_sun, elevation, 60, 0, 90, "degrees",
+                "height of the sun above the horizon; 90 = overhead"),
     PARAM_FLOAT(struct light_sun, azimuth, 30, -360, 360, "degrees", "direction towards the sun, from +x towards +z"),
     PARAM_FLOAT(struct light_sun, angular_radius, 0.2665, 0, 10, "degrees", "half the sun's width; 0 = a point"),
     PARAM_END,
@@ -29,8 +30,7 @@ const struct dpl_param light_medium_params[] = {
 };
 
 const struct dpl_param light_settings_params[] = {
-    PARAM_CHOICE(struct light_settings, technique, 0, light_technique_name,
-                 "technique; see `dapple list techniques`"),
+    PARAM_CHOICE(struct light_settings, technique, 0, light_technique_name, "technique; see `dapple list techniques`"),
     PARAM_INT(struct light_settings, map, 512, 1, LIGHT_MAP_MAX, "texels", "side of the caustic map"),
     PARAM_INT(struct light_settings, mesh, 512, 2, LIGHT_MESH_MAX, "vertices",
               "side of the surface's grid, for water models without one of their own"),

@@ -23,8 +23,8 @@ struct light_medium {
     double absorption[3]; /* 1/m */
 };
 struct light_settings {
-    int technique; /* index into light_techniques */
-    int map, mesh; /* texels, vertices a side */
+    int technique;     /* index into light_techniques */
+    int map, mesh;     /* texels, vertices a side */
     double depth_bias; /* m */
     int blur;
 };
@@ -50,8 +50,8 @@ struct light_map {
 
 struct light_technique {
     const char *name;
-    const char *summary; /* one line */
-    const char *source;  /* whose it is */
+    const char *summary;            /* one line */
+    const char *source;             /* whose it is */
     const struct dpl_param *params; /* ends with PARAM_END; NULL: none */
     size_t params_size;
     size_t state_size; /* kept between frames, starts zeroed */

@@ -1,10 +1,11 @@
 /* Collard & Mundi 2022, "Real-Time Water Caustics", section 3.3.
  *
- * Every texel of the floor looks up at a square of the water above it, at (steps + 1)² places. Each place's normal is bent
- * a little by the direction of sight, and the closer it then is to straight up, where the sun stands, the more of a
- * picture of the sun it adds. Tuned by eye: it has no physical scale, and nothing is refracted by Snell's law.
+ * Every texel of the floor looks up at a square of the water above it, at (steps + 1)² places. Each place's normal is
+ * bent a little by the direction of sight, and the closer it then is to straight up, where the sun stands, the more of
+ * a picture of the sun it adds. Tuned by eye: it has no physical scale, and nothing is refracted by Snell's law.
  *
- * For the sample at offset o (in widths of the map) with the water's normal n, D = depth + depth_bias, S = sun_exponent:
+ * For the sample at offset o (in widths of the map) with the water's normal n, D = depth + depth_bias, S =
+ * sun_exponent:
  *   1. direction to the water   a = normalize(o.x, 1/D, ±o.z)
  *   2. weight on the normal     τ = a · n
  *   3. refracted direction      r = normalize(n.x, (1 - τ³²) n.y, n.z)
@@ -44,9 +45,9 @@ static void plan_rays(struct multi_sample_plan *plan, const struct multi_sample 
         for (int k = 0; k < plan->lines; k++) {
             double x = plan->offsets[k], z = p->faithful ? -plan->offsets[l] : plan->offsets[l];
             double distance = hypot(x, z), length = sqrt(x * x + 1 / (depth * depth) + z * z);
-            plan->rays[l * plan->lines + k] = (struct multi_sample_ray){
-                {(float)(x / length), (float)(1 / depth / length), (float)(z / length)},
-                (float)pow(fmax(1 - distance, 0), p->falloff)};
+            plan->rays[l * plan->lines + k] =
+                (struct multi_sample_ray){{(float)(x / length), (float)(1 / depth / length), (float)(z / length)},
+                                          (float)pow(fmax(1 - distance, 0), p->falloff)};
         }
     }
 }
@@ -95,8 +96,7 @@ static bool build_programs(struct multi_sample_state *state, struct dpl_gl *gl)
 }
 
 /* The normals' x and z, seen from above at the map's resolution; y follows from their unit length. */
-static void draw_normals(struct multi_sample_state *state, struct dpl_gl *gl, const struct light_input *input,
-                         int side)
+static void draw_normals(struct multi_sample_state *state, struct dpl_gl *gl, const struct light_input *input, int side)
 {
     texture_resize(gl, &state->normals, GL_RG16F, side, side, TEXTURE_CLAMP, TEXTURE_LINEAR);
     texture_draw_to(gl, &state->normals);

@@ -24,9 +24,9 @@ struct multi_sample_plan {
     struct multi_sample_ray {
         float direction[3]; /* unit vector from the floor to the water */
         float weight;
-    } rays[MULTI_SAMPLE_COUNT_MAX]; /* row by row */
-    float normal_keep; /* 1: the normal's height is weighted by 1 - τ³²; 0: it is kept whole */
-    float power;       /* of the finished sum, step 6 */
+    } rays[MULTI_SAMPLE_COUNT_MAX];       /* row by row */
+    float normal_keep;                    /* 1: the normal's height is weighted by 1 - τ³²; 0: it is kept whole */
+    float power;                          /* of the finished sum, step 6 */
     float powers[MULTI_SAMPLE_TABLE + 2]; /* the same as a table, over sums from 0 to 1 */
     /* Brightness, base intensity included, by the squared cosine between the refracted ray and the sun, from
      * `table_start` to 1; below it the first entry holds. */

@@ -1,8 +1,8 @@
 /* The CPU's half of multi_sample.c.
  *
  * The samples of neighbouring texels are neighbours too, so nothing is gathered: a row of normals is blended once for
- * each line of samples, and each sample of a whole row of texels reads a run of it. Rows carry their mirror image on both
- * sides, so that a run never leaves its row. Threads share rows; the result does not depend on their number. */
+ * each line of samples, and each sample of a whole row of texels reads a run of it. Rows carry their mirror image on
+ * both sides, so that a run never leaves its row. Threads share rows; the result does not depend on their number. */
 #include "light/multi_sample.h"
 
 #include "base/log.h"

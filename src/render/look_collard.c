@@ -59,8 +59,7 @@ static void draw_cells(const struct look_collard_state *state, struct dpl_gl *gl
     gl->BindVertexArray(state->cells_array);
     gl->DrawElements(GL_TRIANGLES, (cells - first) * row, GL_UNSIGNED_INT,
                      (const void *)((GLsizeiptr)first * row * (GLsizeiptr)sizeof(unsigned)));
-    gl->DrawElements(GL_TRIANGLES, first * row, GL_UNSIGNED_INT,
-                     (const void *)(back * (GLsizeiptr)sizeof(unsigned)));
+    gl->DrawElements(GL_TRIANGLES, first * row, GL_UNSIGNED_INT, (const void *)(back * (GLsizeiptr)sizeof(unsigned)));
 }
 
 static void draw_ground(struct look_collard_state *state, const struct frame *frame)

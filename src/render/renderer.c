@@ -374,8 +374,8 @@ struct dpl_thumbnail dpl_renderer_thumbnail(struct dpl_renderer *renderer, int i
 {
     if (!renderer->gl || !renderer->shown_map)
         return (struct dpl_thumbnail){0};
-    struct dpl_thumbnail thumbnail = thumbnails_draw(renderer->gl, &renderer->thumbnails, index,
-                                                     &renderer->surface_gpu, renderer->shown_map);
+    struct dpl_thumbnail thumbnail =
+        thumbnails_draw(renderer->gl, &renderer->thumbnails, index, &renderer->surface_gpu, renderer->shown_map);
     gpu_leave(renderer->gl, 0);
     return thumbnail;
 }

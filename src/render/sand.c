@@ -7,8 +7,8 @@
 bool sand_update(struct dpl_gl *gl, struct sand *sand, const struct dpl_scene *scene)
 {
     bool drawn = sand->color.name != 0 && sand->program.generation == gl->generation &&
-                 !memcmp(&sand->params, &scene->floor, sizeof sand->params) &&
-                 sand->size == scene->settings.size && sand->seed == scene->settings.seed;
+                 !memcmp(&sand->params, &scene->floor, sizeof sand->params) && sand->size == scene->settings.size &&
+                 sand->seed == scene->settings.seed;
     if (drawn)
         return true;
     if (!program_ready(gl, &sand->program, "render/sand.glsl", ""))

@@ -7,8 +7,7 @@ static const char *const names[THUMBNAILS] = {"normals", "caustic map"};
 struct dpl_thumbnail thumbnails_draw(struct dpl_gl *gl, struct thumbnails *thumbnails, int index,
                                      const struct surface_gpu *surface, const struct gpu_texture *map)
 {
-    if (index < 0 || index >= THUMBNAILS ||
-        !program_ready(gl, &thumbnails->program, "render/thumbnail.glsl", ""))
+    if (index < 0 || index >= THUMBNAILS || !program_ready(gl, &thumbnails->program, "render/thumbnail.glsl", ""))
         return (struct dpl_thumbnail){0};
     struct gpu_texture *texture = thumbnails->textures + index;
     texture_resize(gl, texture, GL_RGBA8, SIDE, SIDE, TEXTURE_CLAMP, TEXTURE_LINEAR);

@@ -31,7 +31,8 @@ static const struct dpl_param floor_params[] = {
 
 static const struct dpl_param render_params[] = {
     PARAM_CHOICE(struct scene_render, look, LOOK_COLLARD, look_name, "how the scene is shaded"),
-    PARAM_COLOR(struct scene_render, background, 1, "colour where there is nothing", 51.0 / 255, 71.0 / 255, 79.0 / 255),
+    PARAM_COLOR(struct scene_render, background, 1, "colour where there is nothing", 51.0 / 255, 71.0 / 255,
+                79.0 / 255),
     PARAM_INT(struct scene_render, samples, 1, 1, 16, "", "samples a pixel, for smooth edges (1, 2, 4, 8 or 16)"),
     PARAM_BOOL(struct scene_render, wireframe, false, "draw only the edges of triangles"),
     PARAM_END,

@@ -80,8 +80,8 @@ static double vertex_noise(const struct collard *w, const struct vertex *v, doub
 
 static double crossing_waves(const struct collard *w, const struct vertex *v, double t)
 {
-    return w->amplitude / 1.5 * sin(-P * v->distance * w->frequency + 2 * t) *
-           sin(-P * v->x * w->frequency + 3 * t) * sin(-P * v->z * w->frequency / 2 + 4 * t);
+    return w->amplitude / 1.5 * sin(-P * v->distance * w->frequency + 2 * t) * sin(-P * v->x * w->frequency + 3 * t) *
+           sin(-P * v->z * w->frequency / 2 + 4 * t);
 }
 
 static double swell(const struct collard *w, const struct vertex *v, double t)

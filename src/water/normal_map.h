@@ -1,7 +1,8 @@
 /* water/normal_map.h: the surface's unit normals seen from above, a texel each, on the CPU. Shaders have the same from
  * surface_normal() in water/surface.glsl.
  *
- * A texel's normal is that of its middle: the vertices' unit normals, interpolated over the triangle there, normalised. */
+ * A texel's normal is that of its middle: the vertices' unit normals, interpolated over the triangle there, normalised.
+ */
 #ifndef WATER_NORMAL_MAP_H
 #define WATER_NORMAL_MAP_H
 
@@ -9,8 +10,8 @@
 
 /* All zero: none yet. */
 struct normal_map {
-    int side;      /* texels */
-    int columns;   /* vertices in a row of `vertices`, with the repeated edge of a periodic surface */
+    int side;    /* texels */
+    int columns; /* vertices in a row of `vertices`, with the repeated edge of a periodic surface */
     int rows;
     float *vertices[3]; /* unit normals of the surface's vertices: x, y, z */
     int *cells;         /* the cell that a column of texels lies in, and how far in, 0 to 1 */

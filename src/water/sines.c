@@ -67,8 +67,8 @@ static void evaluate(const struct water_setup *setup, double time, struct surfac
             row[i] = 0;
         for (int w = 0; w < setup->wave_count; w++) {
             const struct wave *wave = setup->waves + w;
-            double row_phase = phase_at(wave, setup, time) +
-                               2 * M_PI * wave->cycles[1] * (j - surface->rows / 2.0) / surface->rows;
+            double row_phase =
+                phase_at(wave, setup, time) + 2 * M_PI * wave->cycles[1] * (j - surface->rows / 2.0) / surface->rows;
             add_wave_to_row(wave, setup, row_phase, surface->columns, row);
         }
     }

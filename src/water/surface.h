@@ -14,7 +14,7 @@
 struct surface {
     int columns, rows;
     bool periodic;
-    double size;  /* m */
+    double size;   /* m */
     float *texels; /* rows × columns × 3: height (m), slope along x, slope along z */
 };
 

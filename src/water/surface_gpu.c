@@ -58,8 +58,7 @@ bool surface_gpu_read(struct dpl_gl *gl, struct surface_gpu *surface, struct sur
     return ok;
 }
 
-void surface_gpu_bind(struct dpl_gl *gl, const struct surface_gpu *surface, const struct gpu_program *program,
-                      int unit)
+void surface_gpu_bind(struct dpl_gl *gl, const struct surface_gpu *surface, const struct gpu_program *program, int unit)
 {
     texture_bind(gl, &surface->texels, (GLenum)unit);
     program_int(gl, program, "surface_texels", unit);

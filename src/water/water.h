@@ -32,8 +32,8 @@ struct water_setup {
 
 struct water_model {
     const char *name;
-    const char *summary; /* one line */
-    const char *source;  /* whose it is */
+    const char *summary;            /* one line */
+    const char *source;             /* whose it is */
     const struct dpl_param *params; /* ends with PARAM_END; NULL: none */
     size_t params_size;
     bool periodic; /* its left and right edges join, and its upper and lower */
