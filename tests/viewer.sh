@@ -12,6 +12,7 @@ done
 # Places in a window of 1280 × 720 at a scale of 1.
 width=1280 height=720
 middle=640x600+380+20        # of the picture, clear of the panels: WxH+X+Y
+times=160x180+1048+36         # the times of the passes, which change with every frame
 scene_menu='180 45'          # the menu; its first entry and the distance to the next stand below it
 entry_x=60 entry_y=70 entry_step=17
 save_button='260 91'
@@ -57,7 +58,7 @@ differ() {
 # rests NAME: two pictures of the screen in a row are the same, and are NAME.png.
 rests() {
     screen before "$middle"
-    sleep 0.4
+    frames
     screen "$1" "$middle"
     [ "$(differ before "$1")" -eq 0 ]
 }
@@ -73,32 +74,46 @@ shows_same() {
 
 moves() {
     screen before "$middle"
-    sleep 0.3
+    frames
     screen after "$middle"
     [ "$(differ before after)" -gt 2 ]
 }
 
-# A frame on a busy machine without a GPU may take longer than these pauses: what needs several frames in a row is tried
-# again by whoever asked for it.
+meter() {
+    import -silent -window root -crop $times rgb:- | cksum
+}
+
+ticked() {
+    [ "$(meter)" != "$tick" ]
+}
+
+# Waits until the window has seen what the mouse did: a frame may have been under way, so for the second one.
+frames() {
+    for _ in 1 2; do
+        tick=$(meter)
+        try 20 ticked || fail "the window stands still"
+    done
+}
+
 point() {
     xdotool mousemove "$1" "$2"
-    sleep 0.4
+    frames
 }
 
 click() {
     point "$1" "$2"
     xdotool click 1
-    sleep 0.4
+    frames
 }
 
 # drag X Y X Y [BUTTON]
 drag() {
     point "$1" "$2"
     xdotool mousedown "${5:-1}"
-    sleep 0.4
+    frames
     point "$3" "$4"
     xdotool mouseup "${5:-1}"
-    sleep 0.4
+    frames
 }
 
 find_window() {
@@ -190,7 +205,7 @@ changes() {
 
 hold_w() {
     xdotool keydown w
-    sleep 0.5
+    frames
     xdotool keyup w
 }
 

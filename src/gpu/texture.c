@@ -35,17 +35,21 @@ static void set_sampling(struct dpl_gl *gl, enum texture_wrap wrap, enum texture
 void texture_resize(struct dpl_gl *gl, struct gpu_texture *texture, GLenum format, int width, int height,
                     enum texture_wrap wrap, enum texture_filter filter)
 {
+    bool fits = texture->name && texture->format == format && texture->width == width && texture->height == height;
+    if (fits && texture->filter == filter)
+        return;
     if (!texture->name)
         gl->GenTextures(1, &texture->name);
-    else if (texture->format == format && texture->width == width && texture->height == height)
+    gl->BindTexture(GL_TEXTURE_2D, texture->name);
+    set_sampling(gl, wrap, filter);
+    texture->filter = filter;
+    if (fits)
         return;
     const struct pixel_format *pixels = find_format(format);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, (GLint)format, width, height, 0, pixels->channels, pixels->type, NULL);
     texture->format = format;
     texture->width = width;
     texture->height = height;
-    gl->BindTexture(GL_TEXTURE_2D, texture->name);
-    gl->TexImage2D(GL_TEXTURE_2D, 0, (GLint)format, width, height, 0, pixels->channels, pixels->type, NULL);
-    set_sampling(gl, wrap, filter);
 }
 
 void texture_upload(struct dpl_gl *gl, const struct gpu_texture *texture, const float *texels)
@@ -53,6 +57,12 @@ void texture_upload(struct dpl_gl *gl, const struct gpu_texture *texture, const 
     gl->BindTexture(GL_TEXTURE_2D, texture->name);
     gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, texture->width, texture->height, find_format(texture->format)->channels,
                       GL_FLOAT, texels);
+}
+
+void texture_make_mipmaps(struct dpl_gl *gl, const struct gpu_texture *texture)
+{
+    gl->BindTexture(GL_TEXTURE_2D, texture->name);
+    gl->GenerateMipmap(GL_TEXTURE_2D);
 }
 
 void texture_draw_to(struct dpl_gl *gl, struct gpu_texture *texture)

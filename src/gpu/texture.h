@@ -12,6 +12,7 @@ struct gpu_texture {
     GLuint name, framebuffer;
     GLenum format; /* sized internal format */
     int width, height;
+    enum texture_filter filter;
 };
 
 /* Makes the texture that size and format, or leaves it where it already is; contents are undefined after a change. */
@@ -20,6 +21,9 @@ void texture_resize(struct dpl_gl *gl, struct gpu_texture *texture, GLenum forma
 
 /* Replaces the contents by rows of floats, as many a texel as the format has channels. */
 void texture_upload(struct dpl_gl *gl, const struct gpu_texture *texture, const float *texels);
+
+/* Makes the smaller levels of a TEXTURE_MIPMAP texture from its contents. */
+void texture_make_mipmaps(struct dpl_gl *gl, const struct gpu_texture *texture);
 
 /* Binds the texture's framebuffer and sets the viewport to all of it. */
 void texture_draw_to(struct dpl_gl *gl, struct gpu_texture *texture);

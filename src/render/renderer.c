@@ -145,13 +145,15 @@ static bool trace_light(struct dpl_renderer *renderer, const struct dpl_scene *s
     return blur_map(&renderer->blur, &renderer->map, scene->caustics.blur, renderer->log);
 }
 
-/* The format of a map texture: floats as the CPU makes them, halves as the GPU does. */
+/* The format of a map texture: floats as the CPU makes them, halves as the GPU does. Smaller levels, which keep far
+ * floor from flickering, need a device that draws to such formats. */
 static void resize_map_texture(struct dpl_renderer *renderer, struct gpu_texture *texture, int side, int channels,
-                               bool uploaded)
+                               bool uploaded, bool finished)
 {
     bool full = uploaded && !renderer->gl->info.es;
     GLenum format = channels == 1 ? (full ? GL_R32F : GL_R16F) : (full ? GL_RGB32F : GL_RGBA16F);
-    texture_resize(renderer->gl, texture, format, side, side, TEXTURE_CLAMP, TEXTURE_LINEAR);
+    enum texture_filter filter = finished && renderer->gl->info.float_render ? TEXTURE_MIPMAP : TEXTURE_LINEAR;
+    texture_resize(renderer->gl, texture, format, side, side, TEXTURE_CLAMP, filter);
 }
 
 static bool draw_light(struct dpl_renderer *renderer, const struct dpl_scene *scene)
@@ -163,14 +165,14 @@ static bool draw_light(struct dpl_renderer *renderer, const struct dpl_scene *sc
     if (!state)
         return false;
     timer_pass(&renderer->timer, "light");
-    resize_map_texture(renderer, &renderer->map_texture, side, technique->channels, false);
+    resize_map_texture(renderer, &renderer->map_texture, side, technique->channels, false, scene->caustics.blur == 0);
     renderer->shown_map = &renderer->map_texture;
     if (!technique->draw(state, renderer->gl, &input, &renderer->map_texture))
         return false;
     if (scene->caustics.blur == 0)
         return true;
     timer_pass(&renderer->timer, "blur");
-    resize_map_texture(renderer, &renderer->blurred_texture, side, technique->channels, false);
+    resize_map_texture(renderer, &renderer->blurred_texture, side, technique->channels, false, true);
     renderer->shown_map = &renderer->blurred_texture;
     return blur_draw(&renderer->blur, renderer->gl, &renderer->map_texture, scene->caustics.blur,
                      &renderer->blurred_texture);
@@ -191,15 +193,17 @@ static bool make_light(struct dpl_renderer *renderer, const struct dpl_scene *sc
     if (!check_map_side(renderer, scene->caustics.map) ||
         !make_surface(renderer, scene, time, on_cpu, textures || !on_cpu))
         return false;
-    if (!on_cpu)
-        return draw_light(renderer, scene);
-    if (!trace_light(renderer, scene))
+    if (on_cpu ? !trace_light(renderer, scene) : !draw_light(renderer, scene))
         return false;
-    if (textures) {
+    if (textures && on_cpu) {
         timer_pass(&renderer->timer, "upload");
-        resize_map_texture(renderer, &renderer->map_texture, renderer->map.side, renderer->map.channels, true);
+        resize_map_texture(renderer, &renderer->map_texture, renderer->map.side, renderer->map.channels, true, true);
         texture_upload(renderer->gl, &renderer->map_texture, renderer->map.texels);
         renderer->shown_map = &renderer->map_texture;
+    }
+    if (textures && renderer->gl->info.float_render) {
+        timer_pass(&renderer->timer, "mipmaps");
+        texture_make_mipmaps(renderer->gl, renderer->shown_map);
     }
     return true;
 }

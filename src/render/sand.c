@@ -21,8 +21,7 @@ bool sand_update(struct dpl_gl *gl, struct sand *sand, const struct dpl_scene *s
     program_float(gl, &sand->program, "spots", scene->settings.size / scene->floor.grain);
     program_int(gl, &sand->program, "seed", scene->settings.seed);
     gpu_draw_screen(gl);
-    gl->BindTexture(GL_TEXTURE_2D, sand->color.name);
-    gl->GenerateMipmap(GL_TEXTURE_2D);
+    texture_make_mipmaps(gl, &sand->color);
     sand->params = scene->floor;
     sand->size = scene->settings.size;
     sand->seed = scene->settings.seed;
