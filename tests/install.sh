@@ -5,6 +5,7 @@ set -eu
 root=$1 build=$2 cc=$3
 place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
+trap 'exit 1' INT TERM
 
 fail() {
     echo "$1"

@@ -2,7 +2,7 @@
 # usage: viewer.sh DAPPLE [SHADERS]     SHADERS: the source's src/ (default: beside this script)
 # KEEP=1 keeps the pictures of the screen and says where.
 set -u
-dapple=$1
+dapple=$(realpath "$1")
 shaders=${2:-$(dirname "$0")/../src}
 for tool in Xvfb xdotool import compare convert; do
     command -v $tool >/dev/null || { echo "skipped: $tool is missing"; exit 77; }
@@ -19,7 +19,7 @@ save_button='260 91'
 depth_from='120 210' depth_to='40 210' # the slider of scene.depth, and of [scene] the button "reset"
 scene_reset='316 164'
 
-folder=$(mktemp -d) viewer= display=
+folder=$(mktemp -d) viewer="" display=""
 finish() {
     [ -z "$viewer" ] || kill "$viewer" 2>/dev/null
     [ -z "$display" ] || kill "$display" 2>/dev/null
@@ -87,11 +87,12 @@ ticked() {
     [ "$(meter)" != "$tick" ]
 }
 
-# Waits until the window has seen what the mouse did: a frame may have been under way, so for the second one.
+# Waits until the window has seen what the mouse did: a frame may have been under way, and a quick click is seen as
+# pressed in one frame and as released in the next.
 frames() {
-    for _ in 1 2; do
+    for _ in 1 2 3; do
         tick=$(meter)
-        try 20 ticked || fail "the window stands still"
+        (try 20 ticked) || fail "the window stands still" # in a subshell: a try within a try
     done
 }
 

@@ -73,7 +73,7 @@ static void detect_abilities(struct dpl_gl *gl, const struct dpl_gl_options *opt
     gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &gl->info.texture_max);
     gl->GetIntegerv(GL_MAX_SAMPLES, &gl->info.samples_max);
     gl->info.float_render =
-        texture_can_render(gl, GL_RGBA32F) && texture_can_render(gl, GL_RG16F) && texture_can_render(gl, GL_R16F);
+        texture_can_render(gl, GL_RGBA32F) && texture_can_render(gl, GL_RGBA16F) && texture_can_render(gl, GL_R16F);
     gl->info.timer_queries = !gl->info.es || has_extension(gl, "GL_EXT_disjoint_timer_query");
     if (!gl->info.es)
         gl->PolygonMode = (PFNGLPOLYGONMODEPROC)options->get_proc_address(options->user, "glPolygonMode");

@@ -5,7 +5,7 @@ static float mean_along(const float *line, int index, int count, size_t step, in
 {
     float sum = 0.0f;
     for (int k = index - width; k < index + width; k++)
-        sum += line[(size_t)((k + count) % count) * step];
+        sum += line[(size_t)((k + count * width) % count) * step];
     return sum / (float)(2 * width);
 }
 
@@ -17,7 +17,6 @@ bool blur_map(struct light_blur *blur, struct light_map *map, int width, const s
         return false;
     int side = map->side, row = side * map->channels;
     float *lines = blur->lines.texels, *texels = map->texels;
-    width = width > side / 2 ? (side + 1) / 2 : width;
 #pragma omp parallel for
     for (int j = 0; j < side; j++)
         for (int i = 0; i < row; i++)

@@ -70,7 +70,7 @@ static void plan_table(struct multi_sample_plan *plan, const struct multi_sample
 bool multi_sample_prepare(struct multi_sample_state *state, const struct light_input *input)
 {
     const struct multi_sample *p = input->params;
-    double depth = input->depth + input->settings->depth_bias;
+    double depth = fmax(input->depth + input->settings->depth_bias, 1e-3); /* m; the formulas divide by it */
     if (state->planned && depth == state->depth && !memcmp(p, &state->params, sizeof *p))
         return true;
     if (*p->sun_map == '\0')
@@ -95,10 +95,10 @@ static bool build_programs(struct multi_sample_state *state, struct dpl_gl *gl)
            program_ready(gl, &state->map_program, "light/multi_sample.glsl", "");
 }
 
-/* The normals' x and z, seen from above at the map's resolution; y follows from their unit length. */
+/* The normals seen from above, at the map's resolution. */
 static void draw_normals(struct multi_sample_state *state, struct dpl_gl *gl, const struct light_input *input, int side)
 {
-    texture_resize(gl, &state->normals, GL_RG16F, side, side, TEXTURE_CLAMP, TEXTURE_LINEAR);
+    texture_resize(gl, &state->normals, GL_RGBA16F, side, side, TEXTURE_CLAMP, TEXTURE_LINEAR);
     texture_draw_to(gl, &state->normals);
     program_use(gl, &state->normal_program);
     surface_gpu_bind(gl, input->surface_gpu, &state->normal_program, 0);

@@ -2,7 +2,7 @@
 #include "gpu/screen.glsl"
 
 #ifdef FRAGMENT
-uniform sampler2D normals;                 /* x and z of the unit normal */
+uniform sampler2D normals;                 /* unit vectors, shorter in between: only the direction counts */
 uniform sampler2D table;                   /* steps 4 and 5 by the squared cosine */
 uniform int lines;                         /* samples a side */
 uniform float first_offset, offset_step;   /* map widths */
@@ -18,15 +18,14 @@ float mirror(float x)
 
 float brightness(vec2 place, vec4 ray)
 {
-    vec2 n = texture(normals, place).xy;
-    float across = dot(n, n);
-    float up = sqrt(max(1.0 - across, 0.0));
-    float weight = dot(ray.xyz, vec3(n.x, up, n.y));            /* step 2 */
-    float square = weight * weight;
+    vec3 n = texture(normals, place).xyz;
+    float across = dot(n.xz, n.xz);
+    float along = dot(ray.xyz, n);                              /* step 2 */
+    float square = along * along / (across + n.y * n.y);
     square *= square;
     square *= square;
     square *= square;                                           /* τ¹⁶ */
-    float height = (1.0 - normal_keep * square * square) * up;  /* step 3 */
+    float height = (1.0 - normal_keep * square * square) * n.y; /* step 3 */
     float total = height * height + across;
     float cosine = total > 0.0 ? height * height / total : 1.0; /* still water seen from straight below: up */
     float entry = clamp((cosine - table_start) / (1.0 - table_start), 0.0, 1.0);

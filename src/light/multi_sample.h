@@ -43,11 +43,11 @@ struct multi_sample_state {
     /* GPU */
     struct gpu_program normal_program, map_program;
     struct gpu_texture normals, table;
-    /* CPU: unit normals, x and z, each row with half a width of mirror image on either side and one texel more; two
-     * such rows for each thread */
+    /* CPU: unit normals, for each row its x, its y and its z, with half a width of mirror image on either side and one
+     * texel more; room for one such row for each thread */
     struct normal_map normal_map;
     int side, threads;
-    float *normals_x, *normals_z, *blended;
+    float *rows, *blended;
 };
 
 bool multi_sample_trace(void *state, const struct light_input *input, struct light_map *map);

@@ -29,25 +29,23 @@ static int mirrored(int i, int side)
 
 static bool resize_buffers(struct multi_sample_state *state, int side, const struct dpl_log *log)
 {
-    if (state->normals_x && state->side == side && state->threads == threads_most())
+    if (state->rows && state->side == side && state->threads == threads_most())
         return true;
     multi_sample_free_buffers(state);
     size_t stride = stride_of(side);
-    state->normals_x = base_allocate(log, stride * (size_t)side, sizeof(float), "normals");
-    state->normals_z = base_allocate(log, stride * (size_t)side, sizeof(float), "normals");
-    state->blended = base_allocate(log, stride * 2 * (size_t)threads_most(), sizeof(float), "normals");
+    state->rows = base_allocate(log, stride * 3 * (size_t)side, sizeof(float), "normals");
+    state->blended = base_allocate(log, stride * 3 * (size_t)threads_most(), sizeof(float), "normals");
     state->side = side;
     state->threads = threads_most();
-    return state->normals_x && state->normals_z && state->blended;
+    return state->rows && state->blended;
 }
 
 void multi_sample_free_buffers(struct multi_sample_state *state)
 {
-    free(state->normals_x);
-    free(state->normals_z);
+    free(state->rows);
     free(state->blended);
     normal_map_finish(&state->normal_map);
-    state->normals_x = state->normals_z = state->blended = NULL;
+    state->rows = state->blended = NULL;
 }
 
 static void fill_normals(struct multi_sample_state *state)
@@ -56,11 +54,13 @@ static void fill_normals(struct multi_sample_state *state)
     size_t stride = stride_of(side);
 #pragma omp parallel for
     for (int j = 0; j < side; j++) {
-        float *row_x = state->normals_x + (size_t)j * stride, *row_z = state->normals_z + (size_t)j * stride;
-        normal_map_row(&state->normal_map, j, row_x + margin, row_z + margin);
+        float *x = state->rows + (size_t)j * 3 * stride, *y = x + stride, *z = y + stride;
+        normal_map_row(&state->normal_map, j, x + margin, y + margin, z + margin);
         for (int i = 0; i < (int)stride; i++) {
-            row_x[i] = row_x[margin + mirrored(i - margin, side)];
-            row_z[i] = row_z[margin + mirrored(i - margin, side)];
+            int from = margin + mirrored(i - margin, side);
+            x[i] = x[from];
+            y[i] = y[from];
+            z[i] = z[from];
         }
     }
 }
@@ -73,8 +73,9 @@ VECTOR_CLONES static void blend_rows(const float *restrict first, const float *r
         out[i] = first[i] + part * (second[i] - first[i]);
 }
 
-/* Adds one sample, steps 2 to 5, to a row of texels. `x` and `z` are runs of the blended row. */
-VECTOR_CLONES static void add_sample(const float *restrict x, const float *restrict z, float part, int count,
+/* Adds one sample, steps 2 to 5, to a row of texels. `x` starts a run of the blended row, y and z follow a stride on.
+ * What is blended of unit vectors is shorter than one: only its direction counts. */
+VECTOR_CLONES static void add_sample(const float *restrict x, size_t stride, float part, int count,
                                      const struct multi_sample_plan *restrict plan,
                                      const struct multi_sample_ray *restrict ray, float *restrict sum)
 {
@@ -82,18 +83,17 @@ VECTOR_CLONES static void add_sample(const float *restrict x, const float *restr
     const float scale = (float)(MULTI_SAMPLE_TABLE - 1) / (1.0f - start), weight = ray->weight;
     const float dx = direction[0], dy = direction[1], dz = direction[2];
     const float still = 1e-30f; /* flat water seen from straight below: 0 / 0 is to be 1 */
-    const float *restrict table = plan->table;
+    const float *restrict y = x + stride, *restrict z = y + stride, *restrict table = plan->table;
     for (int i = 0; i < count; i++) {
-        float nx = x[i] + part * (x[i + 1] - x[i]), nz = z[i] + part * (z[i + 1] - z[i]);
+        float nx = x[i] + part * (x[i + 1] - x[i]), ny = y[i] + part * (y[i + 1] - y[i]);
+        float nz = z[i] + part * (z[i + 1] - z[i]);
         float across = nx * nx + nz * nz;
-        float up_square = 1.0f - across;
-        float up = sqrtf(up_square > 0.0f ? up_square : 0.0f);
-        float square = dx * nx + dy * up + dz * nz;
-        square *= square;
+        float along = dx * nx + dy * ny + dz * nz;
+        float square = along * along / (across + ny * ny);
         square *= square;
         square *= square;
         square *= square; /* τ¹⁶ */
-        float height = (1.0f - keep * square * square) * up;
+        float height = (1.0f - keep * square * square) * ny;
         float total = height * height + across;
         float cosine = (height * height + still) / (total + still);
         int entry = (int)((cosine - start) * scale + 0.5f);
@@ -116,18 +116,18 @@ static void trace_row(const struct multi_sample_state *state, int j, float *rest
     const struct multi_sample_plan *plan = &state->plan;
     int side = state->side;
     size_t stride = stride_of(side);
-    float *blended_x = state->blended + (size_t)threads_index() * 2 * stride, *blended_z = blended_x + stride;
+    float *blended = state->blended + (size_t)threads_index() * 3 * stride;
     for (int i = 0; i < side; i++)
         out[i] = 0.0f;
     for (int l = 0; l < plan->lines; l++) {
         float part;
         int row = j + whole_texels((double)plan->offsets[l] * side, &part);
-        size_t first = (size_t)mirrored(row, side) * stride, second = (size_t)mirrored(row + 1, side) * stride;
-        blend_rows(state->normals_x + first, state->normals_x + second, part, (int)stride, blended_x);
-        blend_rows(state->normals_z + first, state->normals_z + second, part, (int)stride, blended_z);
+        const float *first = state->rows + (size_t)mirrored(row, side) * 3 * stride;
+        const float *second = state->rows + (size_t)mirrored(row + 1, side) * 3 * stride;
+        blend_rows(first, second, part, (int)stride * 3, blended);
         for (int k = 0; k < plan->lines; k++) {
             int run = side / 2 + 1 + whole_texels((double)plan->offsets[k] * side, &part);
-            add_sample(blended_x + run, blended_z + run, part, side, plan, plan->rays + l * plan->lines + k, out);
+            add_sample(blended + run, stride, part, side, plan, plan->rays + l * plan->lines + k, out);
         }
     }
 }

@@ -1,12 +1,12 @@
-/* The water's unit normals seen from above: x and z. */
+/* The water's unit normals seen from above. */
 #include "gpu/screen.glsl"
 
 #ifdef FRAGMENT
 #include "water/surface.glsl"
-out vec2 normal;
+out vec4 normal;
 
 void main()
 {
-    normal = surface_normal((target - 0.5) * surface_size).xz;
+    normal = vec4(surface_normal((target - 0.5) * surface_size), 0.0);
 }
 #endif

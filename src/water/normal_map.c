@@ -69,7 +69,7 @@ bool normal_map_begin(struct normal_map *map, const struct surface *surface, int
 
 /* The texels of one row in turn; `first` is the corner of the row of cells, `v` how far in it the row lies. */
 VECTOR_CLONES static void interpolate(const struct normal_map *map, size_t first, float v, float *restrict out_x,
-                                      float *restrict out_z)
+                                      float *restrict out_y, float *restrict out_z)
 {
     const float *restrict x = map->vertices[0] + first, *restrict y = map->vertices[1] + first;
     const float *restrict z = map->vertices[2] + first, *restrict inside = map->inside;
@@ -87,15 +87,16 @@ VECTOR_CLONES static void interpolate(const struct normal_map *map, size_t first
         float nz = at_corner * z[corner] + at_right * z[right] + at_below * z[below];
         float scale = 1.0f / sqrtf(nx * nx + ny * ny + nz * nz);
         out_x[i] = nx * scale;
+        out_y[i] = ny * scale;
         out_z[i] = nz * scale;
     }
 }
 
-void normal_map_row(const struct normal_map *map, int row, float *x, float *z)
+void normal_map_row(const struct normal_map *map, int row, float *x, float *y, float *z)
 {
     float v;
     int cell = locate(row, map->side, map->rows - 1, &v);
-    interpolate(map, (size_t)cell * (size_t)map->columns, v, x, z);
+    interpolate(map, (size_t)cell * (size_t)map->columns, v, x, y, z);
 }
 
 void normal_map_finish(struct normal_map *map)

@@ -21,8 +21,8 @@ struct normal_map {
 /* Makes room for `side` texels and takes the surface's normals. */
 bool normal_map_begin(struct normal_map *map, const struct surface *surface, int side, const struct dpl_log *log);
 
-/* Writes x and z of the normals of one row of texels. May be called by several threads at once. */
-void normal_map_row(const struct normal_map *map, int row, float *x, float *z);
+/* Writes the normals of one row of texels. May be called by several threads at once. */
+void normal_map_row(const struct normal_map *map, int row, float *x, float *y, float *z);
 
 /* Leaves it zeroed. */
 void normal_map_finish(struct normal_map *map);
