@@ -1,234 +1,289 @@
-/* The contract of dapple/gl.h about the state of a caller's context: what every call expects, and what it leaves. */
-#include "support.h"
-
-#include "gpu/gl.h"
-
-#include <dlfcn.h>
-
-#define UNITS 8
-#define SIDE 64 /* pixels, of the framebuffer that is drawn to */
+/* The contract of dapple/gl.h: the state in which a call finds a context, and the state in which it leaves it. */
+#include "gpu_state.h"
 
 struct fixture {
     struct support_log log;
-    struct dpl_gl *gl;
-    struct dpl_scene *scene;
+    struct dpl_gl *headless; /* makes the context, and keeps it current */
+    struct state_gl gl;
+    struct dpl_gl *guest; /* a second one in that same context, as a caller's would be */
     struct dpl_renderer *renderer;
-    GLuint framebuffer, color;
-    GLboolean (*IsEnabled)(GLenum);
-    void (*GetFloatv)(GLenum, GLfloat *);
+    struct dpl_scene *scene;
+    GLuint texture, beyond, framebuffer; /* the caller's own */
+    struct state_text initial;
 };
 
-/* What must be as OpenGL starts, before and after. */
-static const GLenum switches[] = {GL_BLEND,        GL_CULL_FACE,       GL_DEPTH_TEST,          GL_STENCIL_TEST,
-                                  GL_SCISSOR_TEST, GL_DITHER,          GL_POLYGON_OFFSET_FILL, GL_RASTERIZER_DISCARD,
-                                  GL_MULTISAMPLE,  GL_SAMPLE_COVERAGE, GL_FRAMEBUFFER_SRGB,    GL_PROGRAM_POINT_SIZE};
-static const GLenum integers[] = {GL_BLEND_EQUATION_RGB,
-                                  GL_BLEND_EQUATION_ALPHA,
-                                  GL_COLOR_WRITEMASK,
-                                  GL_DEPTH_FUNC,
-                                  GL_DEPTH_WRITEMASK,
-                                  GL_CULL_FACE_MODE,
-                                  GL_FRONT_FACE,
-                                  GL_POLYGON_MODE,
-                                  GL_STENCIL_WRITEMASK,
-                                  GL_PACK_ALIGNMENT,
-                                  GL_PACK_ROW_LENGTH,
-                                  GL_PACK_SKIP_ROWS,
-                                  GL_PACK_SKIP_PIXELS,
-                                  GL_UNPACK_ALIGNMENT,
-                                  GL_UNPACK_ROW_LENGTH,
-                                  GL_UNPACK_SKIP_ROWS,
-                                  GL_UNPACK_SKIP_PIXELS,
-                                  GL_PIXEL_PACK_BUFFER_BINDING,
-                                  GL_PIXEL_UNPACK_BUFFER_BINDING,
-                                  GL_UNIFORM_BUFFER_BINDING,
-                                  GL_TRANSFORM_FEEDBACK_BUFFER_BINDING,
-                                  GL_CURRENT_QUERY};
-static const GLenum floats[] = {GL_DEPTH_RANGE, GL_DEPTH_CLEAR_VALUE, GL_BLEND_COLOR, GL_LINE_WIDTH, GL_POINT_SIZE};
-/* What may be anything before, and is 0 after. */
-static const GLenum bindings[] = {GL_VERTEX_ARRAY_BINDING, GL_ARRAY_BUFFER_BINDING, GL_CURRENT_PROGRAM,
-                                  GL_RENDERBUFFER_BINDING};
-#define COUNT(array) (sizeof array / sizeof *array)
+#define WIDTH 96
+#define HEIGHT 64
 
-static int setup(void **state)
+static GLuint make_texture(struct state_gl *gl)
 {
-    struct fixture *f = calloc(1, sizeof *f);
-    *state = f;
-    f->gl = dpl_gl_create_headless(false, NULL, support_log_start(&f->log));
-    if (!f->gl)
-        return 0;
-    void *(*get)(const char *);
-    void *library = dlopen("libEGL.so.1", RTLD_NOW), *symbol = dlsym(library, "eglGetProcAddress");
-    memcpy(&get, &symbol, sizeof get);
-    void *functions[] = {get("glIsEnabled"), get("glGetFloatv")};
-    memcpy(&f->IsEnabled, functions, sizeof functions[0]);
-    memcpy(&f->GetFloatv, functions + 1, sizeof functions[0]);
-    f->scene = dpl_scene_create(&f->log.log);
-    assert_true(dpl_scene_load(f->scene, "collard-1"));
-    support_set(f->scene, "caustics.map", "64");
-    f->gl->GenFramebuffers(1, &f->framebuffer);
-    f->gl->GenRenderbuffers(1, &f->color);
-    f->gl->BindFramebuffer(GL_FRAMEBUFFER, f->framebuffer);
-    f->gl->BindRenderbuffer(GL_RENDERBUFFER, f->color);
-    f->gl->RenderbufferStorageMultisample(GL_RENDERBUFFER, 0, GL_RGBA8, SIDE, SIDE);
-    f->gl->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, f->color);
-    f->renderer = dpl_renderer_create(f->gl, DPL_DEVICE_GL, &f->log.log);
-    return 0;
+    GLuint name;
+    gl->GenTextures(1, &name);
+    gl->BindTexture(GL_TEXTURE_2D, name);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, WIDTH, HEIGHT, 0, GL_RGBA, GL_UNSIGNED_BYTE, NULL);
+    return name;
 }
 
-static int teardown(void **state)
+/* What the caller has of its own: a texture on a unit beyond dapple's, and a framebuffer. */
+static void make_own(struct fixture *fixture)
 {
-    struct fixture *f = *state;
-    if (f->gl) {
-        dpl_renderer_destroy(f->renderer);
-        dpl_scene_destroy(f->scene);
-        f->gl->DeleteFramebuffers(1, &f->framebuffer);
-        f->gl->DeleteRenderbuffers(1, &f->color);
-        dpl_gl_destroy(f->gl);
-    }
-    free(f);
-    return 0;
+    struct state_gl *gl = &fixture->gl;
+    fixture->texture = make_texture(gl);
+    gl->GenFramebuffers(1, &fixture->framebuffer);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, fixture->framebuffer);
+    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, fixture->texture, 0);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
+    gl->BindTexture(GL_TEXTURE_2D, 0);
+    gl->ActiveTexture(GL_TEXTURE9);
+    fixture->beyond = make_texture(gl);
+    gl->ActiveTexture(GL_TEXTURE0);
+    state_dump(gl, &fixture->initial);
 }
 
-static GLint integer(struct dpl_gl *gl, GLenum name)
+static void start(struct fixture *fixture, bool es)
 {
-    GLint values[4] = {0};
-    gl->GetIntegerv(name, values);
-    return values[0];
+    *fixture = (struct fixture){0};
+    const struct dpl_log *log = support_log_start(&fixture->log);
+    fixture->headless = support_gl(es, log);
+    state_load(&fixture->gl);
+    make_own(fixture);
+    fixture->scene = support_scene("[wave.1]\ncycles = 2 1\namplitude = 0.03\n[caustics]\nmap = 64\nmesh = 40\n"
+                                   "blur = 1\n[render]\nsamples = 4\nwireframe = yes\n",
+                                   log);
 }
 
-/* Writes the state that must not change, a line a value. */
-static void dump(struct fixture *f, char *text, size_t size)
+static void finish(struct fixture *fixture)
 {
-    size_t used = 0;
-    for (size_t i = 0; i < COUNT(switches); i++)
-        used +=
-            (size_t)snprintf(text + used, size - used, "enabled 0x%04x %d\n", switches[i], f->IsEnabled(switches[i]));
-    for (size_t i = 0; i < COUNT(integers); i++) {
-        GLint values[4] = {0};
-        f->gl->GetIntegerv(integers[i], values);
-        used += (size_t)snprintf(text + used, size - used, "integer 0x%04x %d %d %d %d\n", integers[i], values[0],
-                                 values[1], values[2], values[3]);
-    }
-    for (size_t i = 0; i < COUNT(floats); i++) {
-        GLfloat values[4] = {0};
-        f->GetFloatv(floats[i], values);
-        used += (size_t)snprintf(text + used, size - used, "float 0x%04x %g %g %g %g\n", floats[i], (double)values[0],
-                                 (double)values[1], (double)values[2], (double)values[3]);
-    }
-    assert_true(used < size);
-    while (f->gl->GetError() != GL_NO_ERROR) {
-        /* names that this version does not know say nothing, before and after alike */
-    }
+    assert_int_equal(fixture->log.errors, 0);
+    dpl_scene_destroy(fixture->scene);
+    dpl_gl_destroy(fixture->headless);
 }
 
-/* Sets what the contract lets a caller leave as it likes. */
-static void disorder(struct fixture *f)
+/* Everything that may be anything before a call. */
+static void disturb(struct fixture *fixture)
 {
-    struct dpl_gl *gl = f->gl;
-    gl->Viewport(3, 5, 7, 11);
+    struct state_gl *gl = &fixture->gl;
+    GLuint array, buffer, renderbuffer;
+    gl->GenVertexArrays(1, &array);
+    gl->BindVertexArray(array);
+    gl->EnableVertexAttribArray(3);
+    gl->GenBuffers(1, &buffer);
+    gl->BindBuffer(GL_ARRAY_BUFFER, buffer);
+    gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
+    gl->GenRenderbuffers(1, &renderbuffer);
+    gl->BindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, fixture->framebuffer);
+    for (GLenum unit = 0; unit < 8; unit++) {
+        gl->ActiveTexture(GL_TEXTURE0 + unit);
+        gl->BindTexture(GL_TEXTURE_2D, fixture->texture);
+    }
+    gl->ActiveTexture(GL_TEXTURE9);
+    gl->Viewport(3, 4, 5, 6);
     gl->ClearColor(0.1f, 0.2f, 0.3f, 0.4f);
-    gl->BlendFuncSeparate(GL_DST_COLOR, GL_ZERO, GL_SRC_ALPHA, GL_ONE);
-    gl->BindFramebuffer(GL_FRAMEBUFFER, f->framebuffer);
-    gl->BindRenderbuffer(GL_RENDERBUFFER, f->color);
-    gl->BindVertexArray(gl->empty_array);
-    gl->ActiveTexture(GL_TEXTURE5);
+    gl->BlendFuncSeparate(GL_DST_COLOR, GL_ZERO, GL_ONE, GL_SRC_COLOR);
+    assert_int_equal(gl->GetError(), GL_NO_ERROR);
 }
 
-static void expect_left(struct fixture *f, GLuint framebuffer, const char *before, const char *call)
+static bool may_be_anything(const char *line)
 {
-    char after[4096];
-    assert_int_equal(f->gl->GetError(), GL_NO_ERROR);
-    dump(f, after, sizeof after);
-    if (strcmp(before, after))
-        fail_msg("%s changes the state; before:\n%safter:\n%s", call, before, after);
-    for (size_t i = 0; i < COUNT(bindings); i++)
-        if (integer(f->gl, bindings[i]) != 0)
-            fail_msg("%s leaves binding 0x%04x at %d", call, bindings[i], integer(f->gl, bindings[i]));
-    assert_int_equal(integer(f->gl, GL_DRAW_FRAMEBUFFER_BINDING), framebuffer);
-    assert_int_equal(integer(f->gl, GL_READ_FRAMEBUFFER_BINDING), framebuffer);
-    assert_int_equal(integer(f->gl, GL_ACTIVE_TEXTURE), GL_TEXTURE0);
-    for (GLenum unit = 0; unit < UNITS; unit++) {
-        f->gl->ActiveTexture(GL_TEXTURE0 + unit);
-        if (integer(f->gl, GL_TEXTURE_BINDING_2D) != 0)
-            fail_msg("%s leaves a texture on unit %u", call, unit);
+    static const char *const names[] = {"VIEWPORT", "COLOR_CLEAR_VALUE", "BLEND_SRC_", "BLEND_DST_", NULL};
+    for (int i = 0; names[i]; i++)
+        if (!strncmp(line, names[i], strlen(names[i])))
+            return true;
+    return false;
+}
+
+/* The state is the first one, but for the exceptions; `framebuffer` is bound; the viewport is that, if not NULL. */
+static void expect_state(struct fixture *fixture, const char *call, GLuint framebuffer, const char *viewport)
+{
+    struct state_text now, wanted = fixture->initial;
+    char number[16];
+    int wrong = 0;
+    snprintf(number, sizeof number, "%u", framebuffer);
+    state_set_line(&wanted, "DRAW_FRAMEBUFFER_BINDING", number);
+    state_set_line(&wanted, "READ_FRAMEBUFFER_BINDING", number);
+    if (viewport)
+        state_set_line(&wanted, "VIEWPORT", viewport);
+    state_dump(&fixture->gl, &now);
+    assert_int_equal(now.count, wanted.count);
+    for (int i = 0; i < now.count; i++) {
+        bool free_line = may_be_anything(now.lines[i]) && !(viewport && !strncmp(now.lines[i], "VIEWPORT", 8));
+        if (free_line || !strcmp(now.lines[i], wanted.lines[i]))
+            continue;
+        print_error("after %s: %s, not %s\n", call, now.lines[i], wanted.lines[i]);
+        wrong++;
     }
-    f->gl->ActiveTexture(GL_TEXTURE0);
+    assert_int_equal(wrong, 0);
 }
 
-/* Every call that draws, from a context in disorder, for the scene as it is now. */
-static void expect_contract(struct fixture *f)
+/* Each call of a renderer in turn, `disturbed` or not. */
+static void call_everything(struct fixture *fixture, enum dpl_device device, bool disturbed)
 {
-    char before[4096];
-    dump(f, before, sizeof before);
-    disorder(f);
-    assert_true(dpl_renderer_draw(f->renderer, f->scene, 1, f->framebuffer, SIDE, SIDE));
-    expect_left(f, f->framebuffer, before, "dpl_renderer_draw");
-    disorder(f);
-    dpl_image_destroy(dpl_renderer_picture(f->renderer, f->scene, 1, SIDE, SIDE));
-    expect_left(f, 0, before, "dpl_renderer_picture");
-    disorder(f);
-    dpl_image_destroy(dpl_renderer_map(f->renderer, f->scene, 1));
-    expect_left(f, 0, before, "dpl_renderer_map");
-    disorder(f);
-    dpl_image_destroy(dpl_renderer_surface(f->renderer, f->scene, 1));
-    expect_left(f, 0, before, "dpl_renderer_surface");
-    for (int i = 0; i < 2; i++) {
-        disorder(f);
-        assert_non_null(dpl_renderer_thumbnail(f->renderer, i).name);
-        expect_left(f, 0, before, "dpl_renderer_thumbnail");
+#define CALL(text, framebuffer, viewport, ...)                                                                         \
+    if (disturbed)                                                                                                     \
+        disturb(fixture);                                                                                              \
+    __VA_ARGS__;                                                                                                       \
+    expect_state(fixture, text, framebuffer, viewport)
+    struct dpl_gl_options options = {state_get_function, NULL, NULL};
+    const struct dpl_log *log = &fixture->log.log;
+    const struct dpl_scene *scene = fixture->scene;
+    CALL("dpl_gl_create", 0, NULL, fixture->guest = dpl_gl_create(&options, log));
+    assert_non_null(fixture->guest);
+    fixture->renderer = dpl_renderer_create(fixture->guest, device, log);
+    struct dpl_renderer *renderer = fixture->renderer;
+    for (int frame = 0; frame < 3; frame++) {
+        struct dpl_image *image;
+        if (frame == 2) { /* water from the CPU, no blur, one sample */
+            support_set(fixture->scene, "water.model", "collard");
+            support_set(fixture->scene, "caustics.blur", "0");
+            support_set(fixture->scene, "render.samples", "1");
+        }
+        CALL("dpl_renderer_surface", 0, NULL, image = dpl_renderer_surface(renderer, scene, frame));
+        dpl_image_destroy(image);
+        CALL("dpl_renderer_map", 0, NULL, image = dpl_renderer_map(renderer, scene, frame));
+        dpl_image_destroy(image);
+        CALL("dpl_renderer_picture", 0, NULL, image = dpl_renderer_picture(renderer, scene, frame, WIDTH, HEIGHT));
+        dpl_image_destroy(image);
+        CALL("dpl_renderer_draw", fixture->framebuffer, "0 0 96 64",
+             assert_true(dpl_renderer_draw(renderer, scene, frame, fixture->framebuffer, WIDTH, HEIGHT)));
+        fixture->gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+        CALL("dpl_renderer_draw into nothing", 0, NULL,
+             assert_true(dpl_renderer_draw(renderer, scene, frame, DPL_NO_FRAMEBUFFER, WIDTH, HEIGHT)));
+        for (int i = 0; i < 3; i++) {
+            CALL("dpl_renderer_thumbnail", 0, NULL,
+                 assert_true((dpl_renderer_thumbnail(renderer, i).name != NULL) == (i < 2)));
+        }
     }
-    assert_int_equal(f->log.errors, 0);
+    CALL("dpl_renderer_destroy", 0, NULL, dpl_renderer_destroy(renderer));
+    CALL("dpl_gl_destroy", 0, NULL, dpl_gl_destroy(fixture->guest));
+#undef CALL
 }
 
-static void state_is_left_as_promised(void **state)
+static void check_calls(bool es, enum dpl_device device, bool disturbed)
 {
-    struct fixture *f = *state;
-    if (!f->gl)
-        skip();
-    expect_contract(f);
-    support_set(f->scene, "render.wireframe", "true");
-    support_set(f->scene, "render.samples", "4");
-    support_set(f->scene, "caustics.blur", "2");
-    expect_contract(f);
-    support_set(f->scene, "water.model", "sines");
-    support_set(f->scene, "caustics.mesh", "32");
-    support_set(f->scene, "wave.1.amplitude", "0.02");
-    expect_contract(f);
+    struct fixture fixture;
+    start(&fixture, es);
+    call_everything(&fixture, device, disturbed);
+    finish(&fixture);
 }
 
-static void timing_leaves_no_query_open(void **state)
+static void calls_leave_the_first_state(void **state)
 {
-    struct fixture *f = *state;
-    if (!f->gl)
-        skip();
-    dpl_renderer_time_passes(f->renderer, DPL_TIMING_QUERIES, NULL);
-    for (int i = 0; i < 6; i++)
-        expect_contract(f);
-    assert_non_null(dpl_renderer_pass_time(f->renderer, 0).name);
+    (void)state;
+    check_calls(false, DPL_DEVICE_GL, false);
+    check_calls(true, DPL_DEVICE_GL, false);
 }
 
-static void creating_and_destroying_leaves_the_state(void **state)
+static void calls_leave_the_first_state_whatever_was_bound(void **state)
 {
-    struct fixture *f = *state;
-    char before[4096];
-    if (!f->gl)
-        skip();
-    dump(f, before, sizeof before);
-    struct dpl_renderer *renderer = dpl_renderer_create(f->gl, DPL_DEVICE_AUTO, &f->log.log);
-    assert_true(dpl_renderer_draw(renderer, f->scene, 1, f->framebuffer, SIDE, SIDE));
-    dpl_renderer_destroy(renderer);
-    expect_left(f, f->framebuffer, before, "dpl_renderer_destroy");
+    (void)state;
+    check_calls(false, DPL_DEVICE_GL, true);
+    check_calls(false, DPL_DEVICE_CPU, true);
+    check_calls(true, DPL_DEVICE_GL, true);
+    check_calls(true, DPL_DEVICE_CPU, true);
+}
+
+/* What the caller sees of a frame in its own framebuffer. */
+static void frame_of(struct fixture *fixture, unsigned char bytes[WIDTH * HEIGHT * 4])
+{
+    const struct dpl_scene *scene = fixture->scene;
+    assert_true(dpl_renderer_draw(fixture->renderer, scene, 1, fixture->framebuffer, WIDTH, HEIGHT));
+    fixture->gl.ReadPixels(0, 0, WIDTH, HEIGHT, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
+}
+
+static void check_picture(bool es)
+{
+    static unsigned char first[WIDTH * HEIGHT * 4], second[WIDTH * HEIGHT * 4];
+    struct fixture fixture;
+    start(&fixture, es);
+    fixture.renderer = dpl_renderer_create(fixture.headless, DPL_DEVICE_GL, &fixture.log.log);
+    frame_of(&fixture, first);
+    disturb(&fixture);
+    frame_of(&fixture, second);
+    assert_memory_equal(first, second, sizeof first);
+    struct dpl_image *image = dpl_renderer_picture(fixture.renderer, fixture.scene, 1, WIDTH, HEIGHT);
+    for (int y = 0; y < HEIGHT; y++) /* OpenGL's rows go upwards, an image's downwards */
+        for (int x = 0; x < WIDTH * 3; x++)
+            assert_int_equal(first[((HEIGHT - 1 - y) * WIDTH + x / 3) * 4 + x % 3],
+                             (int)(image->pixels[y * WIDTH * 3 + x] * 255 + 0.5f));
+    dpl_image_destroy(image);
+    dpl_renderer_destroy(fixture.renderer);
+    finish(&fixture);
+}
+
+static void what_was_bound_does_not_show(void **state)
+{
+    (void)state;
+    check_picture(false);
+    check_picture(true);
+}
+
+static double seconds(void)
+{
+    return 1;
+}
+
+static void check_timing(bool es, enum dpl_timing timing)
+{
+    struct fixture fixture;
+    start(&fixture, es);
+    if (timing != DPL_TIMING_QUERIES || dpl_gl_describe(fixture.headless)->timer_queries) {
+        fixture.renderer = dpl_renderer_create(fixture.headless, DPL_DEVICE_GL, &fixture.log.log);
+        dpl_renderer_time_passes(fixture.renderer, timing, seconds);
+        for (int frame = 0; frame < 12; frame++) {
+            assert_true(dpl_renderer_draw(fixture.renderer, fixture.scene, frame, fixture.framebuffer, WIDTH, HEIGHT));
+            expect_state(&fixture, "a timed frame", fixture.framebuffer, "0 0 96 64");
+        }
+        fixture.gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+        assert_string_equal(dpl_renderer_pass_time(fixture.renderer, 0).name, "surface");
+        assert_string_equal(dpl_renderer_pass_time(fixture.renderer, 1).name, "light");
+        dpl_renderer_destroy(fixture.renderer);
+        expect_state(&fixture, "the end of a timed renderer", 0, NULL);
+    }
+    finish(&fixture);
+}
+
+static void timing_leaves_the_first_state(void **state)
+{
+    (void)state;
+    check_timing(false, DPL_TIMING_QUERIES);
+    check_timing(false, DPL_TIMING_WAIT);
+    check_timing(true, DPL_TIMING_QUERIES);
+    check_timing(true, DPL_TIMING_WAIT);
+}
+
+static void check_failure(bool es)
+{
+    struct fixture fixture;
+    start(&fixture, es);
+    fixture.renderer = dpl_renderer_create(fixture.headless, DPL_DEVICE_GL, &fixture.log.log);
+    dpl_renderer_time_passes(fixture.renderer, DPL_TIMING_WAIT, seconds);
+    disturb(&fixture);
+    assert_null(dpl_renderer_picture(fixture.renderer, fixture.scene, 0, 1 << 20, HEIGHT));
+    EXPECT_ERROR(&fixture.log, DPL_REASON_LIMIT, "1048576 × 64");
+    expect_state(&fixture, "a picture that is too large", 0, NULL);
+    assert_null(dpl_renderer_picture(fixture.renderer, fixture.scene, 0, 0, HEIGHT));
+    EXPECT_ERROR(&fixture.log, DPL_REASON_LIMIT, "0 × 64");
+    dpl_image_destroy(dpl_renderer_picture(fixture.renderer, fixture.scene, 0, WIDTH, HEIGHT));
+    dpl_renderer_destroy(fixture.renderer);
+    finish(&fixture);
+}
+
+static void a_failed_call_leaves_the_first_state(void **state)
+{
+    (void)state;
+    check_failure(false);
+    check_failure(true);
 }
 
 int main(void)
 {
-    if (!support_has_gl())
-        return SUPPORT_SKIPPED;
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(state_is_left_as_promised, setup, teardown),
-        cmocka_unit_test_setup_teardown(timing_leaves_no_query_open, setup, teardown),
-        cmocka_unit_test_setup_teardown(creating_and_destroying_leaves_the_state, setup, teardown),
+        cmocka_unit_test(calls_leave_the_first_state),
+        cmocka_unit_test(calls_leave_the_first_state_whatever_was_bound),
+        cmocka_unit_test(what_was_bound_does_not_show),
+        cmocka_unit_test(timing_leaves_the_first_state),
+        cmocka_unit_test(a_failed_call_leaves_the_first_state),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return support_has_gl() ? cmocka_run_group_tests(tests, NULL, NULL) : SUPPORT_SKIPPED;
 }

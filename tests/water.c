@@ -12,8 +12,8 @@ static const char *const scenes[] = {
     "[scene]\nsize = 1\ndepth = 0.2\nloop = 3\n[water]\nmodel = sines\n[caustics]\nmesh = 33\n"
     "[wave.1]\ncycles = -2 5\namplitude = 0.01\nphase = 77\n[wave.2]\ncycles = 1 0\nperiod = 0.7\n"
     "[wave.9]\ncycles = 0 -7\namplitude = 0.002\nphase = -200\n",
-    "[scene]\nsize = 100\ndepth = 0\n[water]\nmodel = sines\n[caustics]\nmesh = 2\n[wave.64]\ncycles = 0 0\nphase = "
-    "30\n",
+    ("[scene]\nsize = 100\ndepth = 0\n[water]\nmodel = sines\n[caustics]\nmesh = 2\n"
+     "[wave.64]\ncycles = 0 0\nphase = 30\n"),
     "[water]\nmodel = sines\n[caustics]\nmesh = 7\n",
     "[water]\nmodel = collard\n[collard]\nwave = preset-1\n",
     "[water]\nmodel = collard\n[collard]\nwave = preset-2\namplitude = 0.02\nfrequency = 7\n",

@@ -15,7 +15,7 @@ static void print_overview(void)
            "examples:\n"
            "  dapple render -o water.png\n"
            "  dapple render collard-3 --frames 120 -o water.mp4\n"
-           "  dapple map --set sun.elevation=30 --time 2 -o caustics.exr\n\n"
+           "  dapple map --set scene.depth=0.4 --time 2 -o caustics.exr\n\n"
            "Exit codes: 0 done, 1 could not, 2 wrong usage or input.\n",
            DEFAULT_SCENE);
 }

@@ -97,7 +97,7 @@ static bool check_place(struct output *output)
     char path[PATH_MAX], temporary[PATH_MAX];
     struct stat status;
     if (!frame_path(output, output->frames - 1, path) ||
-        snprintf(temporary, sizeof temporary, "%s.part", path) >= (int)sizeof temporary)
+        snprintf(temporary, sizeof temporary, "%s.%ld.part", path, (long)getpid()) >= (int)sizeof temporary)
         return fail_input(output->log, "-o: name too long: \"%.80s…\"", output->options->output);
     if (stat(path, &status) == 0 && S_ISDIR(status.st_mode))
         return fail_input(output->log, "-o: is a folder: \"%s\"", path);

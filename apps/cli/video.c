@@ -98,7 +98,7 @@ bool video_begin(struct video *video, const struct video_format *format, const c
     char size[32], rate[32], target[PATH_MAX + 8];
     snprintf(size, sizeof size, "%dx%d", width, height);
     snprintf(rate, sizeof rate, "%.9g", fps);
-    if (snprintf(video->temporary, sizeof video->temporary, "%s.part", path) >= PATH_MAX)
+    if (snprintf(video->temporary, sizeof video->temporary, "%s.%ld.part", path, (long)getpid()) >= PATH_MAX)
         return fail_input(log, "%.80s…: name too long", path);
     snprintf(target, sizeof target, "file:%s", video->temporary);
     const char *arguments[40] = {"ffmpeg", "-hide_banner", "-loglevel", "error", "-y",

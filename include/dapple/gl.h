@@ -9,7 +9,8 @@
  *     texture unit, textures of units 0 to 7 and the renderbuffer may be anything before and are 0 (unit 0) after,
  *     except the framebuffer handed to dpl_renderer_draw(), which stays bound for drawing and reading;
  *   - the clear colour and the blend function may be anything before and after;
- *   - pixel store parameters are the defaults before and after.
+ *   - pixel store parameters are the defaults before and after;
+ *   - errors that OpenGL still holds from before are dropped, and there are none after.
  * tests/gpu_state.c holds this contract against a context.
  *
  * Threads: use a struct dpl_gl, and what was made with it, only on the thread where its context is current. */
@@ -41,7 +42,8 @@ DPL_API struct dpl_gl *dpl_gl_create(const struct dpl_gl_options *options, const
  * `es` asks for OpenGL ES 3.0 in place of OpenGL 3.3. Returns NULL where EGL or a driver is missing. */
 DPL_API struct dpl_gl *dpl_gl_create_headless(bool es, const char *shader_folder, const struct dpl_log *log);
 
-/* After everything that was made with it; the context must be current. NULL is allowed. */
+/* After everything that was made with it; the context must be current. NULL is allowed. A context of its own ends with
+ * its EGL display, which EGL shares within a process: one headless struct dpl_gl at a time. */
 DPL_API void dpl_gl_destroy(struct dpl_gl *gl);
 
 /* What the device is and can do. Text belongs to the struct dpl_gl. */

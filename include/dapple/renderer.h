@@ -36,7 +36,8 @@ DPL_API void dpl_renderer_destroy(struct dpl_renderer *renderer);
 DPL_API struct dpl_image *dpl_renderer_surface(struct dpl_renderer *renderer, const struct dpl_scene *scene,
                                                double time);
 
-/* The caustic map of the floor at `time` seconds: irradiance in units of what flat water would give, red green blue.
+/* The caustic map of the floor at `time` seconds, red green blue: irradiance in units of what flat water would give,
+ * where the technique is a physical one; `multi-sample` is tuned by eye and gives a brightness from 0 to 1.
  * Returns NULL on failure; the caller destroys the image. */
 DPL_API struct dpl_image *dpl_renderer_map(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time);
 
@@ -57,7 +58,7 @@ DPL_API void dpl_renderer_reload(struct dpl_renderer *renderer);
 /* How passes are timed. */
 enum dpl_timing {
     DPL_TIMING_OFF,
-    DPL_TIMING_QUERIES, /* on the device, a few frames late, without waiting; needs timer_queries */
+    DPL_TIMING_QUERIES, /* on the device, a few frames late, without waiting; needs timer_queries, else it is OFF */
     DPL_TIMING_WAIT,    /* by `now`, waiting for the device after each pass: exact, and slower as a whole */
 };
 /* `now` returns seconds of a steady clock; needed for DPL_TIMING_WAIT only. The library itself reads no clock. */

@@ -9,6 +9,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#define TEMPORARY_ATTEMPTS 100
+
 static char *read_stream(FILE *stream, const char *path, size_t most, size_t *length, const struct dpl_log *log)
 {
     struct stat status;
@@ -36,7 +38,9 @@ static char *read_stream(FILE *stream, const char *path, size_t most, size_t *le
 
 char *file_read(const char *path, size_t most, size_t *length, const struct dpl_log *log)
 {
-    FILE *stream = fopen(path, "rb");
+    /* Without waiting: a pipe that nobody writes to is refused, not waited for. */
+    int descriptor = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    FILE *stream = descriptor >= 0 ? fdopen(descriptor, "rb") : NULL;
     if (!stream) {
         base_fail(log, DPL_REASON_FILE_READ, "%s: cannot be read: %s", path, strerror(errno));
         return NULL;
@@ -51,15 +55,33 @@ bool file_exists(const char *path)
     return access(path, F_OK) == 0;
 }
 
+/* Creates a file that was not there, in the folder of the final one. */
+static FILE *create_temporary(struct file_writer *writer)
+{
+    for (int attempt = 0; attempt < TEMPORARY_ATTEMPTS; attempt++) {
+        int length = snprintf(writer->temporary, sizeof writer->temporary, "%s.%ld-%d.part", writer->path,
+                              (long)getpid(), attempt);
+        if (length >= (int)sizeof writer->temporary) {
+            errno = ENAMETOOLONG;
+            return NULL;
+        }
+        int descriptor = open(writer->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (descriptor >= 0)
+            return fdopen(descriptor, "wb");
+        if (errno != EEXIST)
+            return NULL;
+    }
+    return NULL;
+}
+
 bool file_begin(struct file_writer *writer, const char *path, const struct dpl_log *log)
 {
     struct stat status;
     if (stat(path, &status) == 0 && S_ISDIR(status.st_mode))
         return base_fail(log, DPL_REASON_FILE_WRITE, "%s: cannot be written: is a directory", path);
-    if (snprintf(writer->path, sizeof writer->path, "%s", path) >= (int)sizeof writer->path ||
-        snprintf(writer->temporary, sizeof writer->temporary, "%s.part", path) >= (int)sizeof writer->temporary)
+    if (snprintf(writer->path, sizeof writer->path, "%s", path) >= (int)sizeof writer->path)
         return base_fail(log, DPL_REASON_FILE_WRITE, "%.80s…: name too long", path);
-    writer->stream = fopen(writer->temporary, "wb");
+    writer->stream = create_temporary(writer);
     if (!writer->stream)
         return base_fail(log, DPL_REASON_FILE_WRITE, "%s: cannot be written: %s", path, strerror(errno));
     return true;

@@ -26,14 +26,6 @@ bool base_fail(const struct dpl_log *log, enum dpl_reason reason, const char *fo
     return false;
 }
 
-void base_warn(const struct dpl_log *log, enum dpl_reason reason, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    write_line(log, DPL_LOG_WARNING, reason, format, arguments);
-    va_end(arguments);
-}
-
 void *base_allocate(const struct dpl_log *log, size_t count, size_t size, const char *what)
 {
     void *memory = calloc(count, size);

@@ -96,13 +96,16 @@ struct dpl_gl *dpl_gl_create(const struct dpl_gl_options *options, const struct 
     gl->log = log;
     gl->generation = 1;
     gl->shader_folder = options->shader_folder ? strdup(options->shader_folder) : NULL;
-    if (!load_functions(gl, options) || !check_version(gl)) {
+    bool copied = gl->shader_folder || !options->shader_folder;
+    if (!copied || !load_functions(gl, options) || !check_version(gl)) {
         free(gl->shader_folder);
         free(gl);
         return NULL;
     }
+    gpu_enter(gl);
     detect_abilities(gl, options);
     gl->GenVertexArrays(1, &gl->empty_array);
+    gpu_leave(gl, 0);
     return gl;
 }
 
@@ -110,6 +113,7 @@ void dpl_gl_destroy(struct dpl_gl *gl)
 {
     if (!gl)
         return;
+    gpu_leave(gl, 0);
     gl->DeleteVertexArrays(1, &gl->empty_array);
     headless_destroy(gl->headless);
     free(gl->shader_folder);
@@ -130,6 +134,26 @@ void gpu_draw_screen(struct dpl_gl *gl)
 {
     gl->BindVertexArray(gl->empty_array);
     gl->DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void gpu_enter(struct dpl_gl *gl)
+{
+    while (gl->GetError() != GL_NO_ERROR) {
+        /* what went wrong before is not this call's fault */
+    }
+    gl->ActiveTexture(GL_TEXTURE0);
+}
+
+bool gpu_check(struct dpl_gl *gl)
+{
+    bool ok = true;
+    for (GLenum error; (error = gl->GetError()) != GL_NO_ERROR; ok = false) {
+        if (error == GL_OUT_OF_MEMORY)
+            base_fail(gl->log, DPL_REASON_LIMIT, "the device is out of memory (smaller maps, meshes or pictures help)");
+        else
+            base_fail(gl->log, DPL_REASON_UNSUPPORTED, "OpenGL refused a call: error 0x%04x", error);
+    }
+    return ok;
 }
 
 void gpu_leave(struct dpl_gl *gl, unsigned framebuffer)

@@ -95,6 +95,12 @@ struct dpl_gl {
 /* Draws one triangle that covers the viewport; the vertex stage is gpu/screen.glsl. */
 void gpu_draw_screen(struct dpl_gl *gl);
 
+/* Starts a call: clears OpenGL's errors, and makes sure that no texture is bound to a unit beyond dapple's own. */
+void gpu_enter(struct dpl_gl *gl);
+
+/* Reports what OpenGL found wrong since it was last asked, out of memory first of all; true where there was nothing. */
+bool gpu_check(struct dpl_gl *gl);
+
 /* Brings every binding back to what dapple/gl.h promises; `framebuffer` stays bound. */
 void gpu_leave(struct dpl_gl *gl, unsigned framebuffer);
 

@@ -50,25 +50,11 @@ static bool load_egl(struct gpu_headless *headless)
     return ok;
 }
 
-/* A display of the surfaceless platform if there is one, else of the first device. */
-static bool open_display(struct gpu_headless *headless)
+static bool open_display(struct gpu_headless *headless, EGLenum platform, void *native)
 {
     PFNEGLGETPLATFORMDISPLAYEXTPROC get_display =
         (PFNEGLGETPLATFORMDISPLAYEXTPROC)headless->GetProcAddress("eglGetPlatformDisplayEXT");
-    PFNEGLQUERYDEVICESEXTPROC query_devices = (PFNEGLQUERYDEVICESEXTPROC)headless->GetProcAddress("eglQueryDevicesEXT");
-    const char *extensions = headless->QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
-    if (!get_display || !extensions)
-        return false;
-    EGLDeviceEXT device;
-    EGLint count = 0;
-    if (query_devices && strstr(extensions, "EGL_EXT_platform_device") && query_devices(1, &device, &count) && count) {
-        headless->display = get_display(EGL_PLATFORM_DEVICE_EXT, device, NULL);
-        if (headless->display && headless->Initialize(headless->display, NULL, NULL))
-            return true;
-    }
-    if (!strstr(extensions, "EGL_MESA_platform_surfaceless"))
-        return false;
-    headless->display = get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
+    headless->display = get_display ? get_display(platform, native, NULL) : EGL_NO_DISPLAY;
     return headless->display && headless->Initialize(headless->display, NULL, NULL);
 }
 
@@ -90,16 +76,41 @@ static bool open_context(struct gpu_headless *headless, bool es)
            headless->MakeCurrent(headless->display, EGL_NO_SURFACE, EGL_NO_SURFACE, headless->context);
 }
 
+static void close_display(struct gpu_headless *headless)
+{
+    if (!headless->display)
+        return;
+    headless->MakeCurrent(headless->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (headless->context)
+        headless->DestroyContext(headless->display, headless->context);
+    headless->Terminate(headless->display);
+    headless->context = EGL_NO_CONTEXT;
+    headless->display = EGL_NO_DISPLAY;
+}
+
+/* A context on the first device; where that has none of the version wanted, on Mesa's surfaceless platform. */
+static bool open_any(struct gpu_headless *headless, bool es)
+{
+    PFNEGLQUERYDEVICESEXTPROC query_devices = (PFNEGLQUERYDEVICESEXTPROC)headless->GetProcAddress("eglQueryDevicesEXT");
+    const char *extensions = headless->QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+    EGLDeviceEXT device;
+    EGLint count = 0;
+    if (!extensions)
+        return false;
+    if (query_devices && strstr(extensions, "EGL_EXT_platform_device") && query_devices(1, &device, &count) && count) {
+        if (open_display(headless, EGL_PLATFORM_DEVICE_EXT, device) && open_context(headless, es))
+            return true;
+        close_display(headless);
+    }
+    return strstr(extensions, "EGL_MESA_platform_surfaceless") &&
+           open_display(headless, EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY) && open_context(headless, es);
+}
+
 void headless_destroy(struct gpu_headless *headless)
 {
     if (!headless)
         return;
-    if (headless->display) {
-        headless->MakeCurrent(headless->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-        if (headless->context)
-            headless->DestroyContext(headless->display, headless->context);
-        headless->Terminate(headless->display);
-    }
+    close_display(headless);
     if (headless->library)
         dlclose(headless->library);
     free(headless);
@@ -122,10 +133,10 @@ struct dpl_gl *dpl_gl_create_headless(bool es, const char *shader_folder, const 
     struct dpl_gl *gl = NULL;
     if (!load_egl(headless))
         base_fail(log, DPL_REASON_NO_GL, "no OpenGL: libEGL.so.1 cannot be opened (Debian: libegl1, libgl1-mesa-dri)");
-    else if (!open_display(headless))
-        base_fail(log, DPL_REASON_NO_GL, "no OpenGL: EGL offers no display without a window (Debian: libgl1-mesa-dri)");
-    else if (!open_context(headless, es))
-        base_fail(log, DPL_REASON_NO_GL, "no OpenGL: EGL makes no context of %s", es ? "OpenGL ES 3.0" : "OpenGL 3.3");
+    else if (!open_any(headless, es))
+        base_fail(log, DPL_REASON_NO_GL,
+                  "no OpenGL: EGL makes no context of %s without a window (Debian: libgl1-mesa-dri)",
+                  es ? "OpenGL ES 3.0" : "OpenGL 3.3");
     else
         gl = dpl_gl_create(&(struct dpl_gl_options){get_function, headless, shader_folder}, log);
     if (gl)

@@ -38,21 +38,22 @@ static char *read_shader(const struct assembly *assembly, const char *path)
     return text ? strdup(text) : NULL;
 }
 
-/* Notes the file; false where it was there already. */
-static bool first_time(struct assembly *assembly, const char *path)
+static bool is_included(const struct assembly *assembly, const char *path)
 {
     for (int i = 0; i < assembly->included_count; i++)
         if (!strcmp(assembly->included[i], path))
-            return false;
-    if (assembly->included_count < INCLUDES_MAX)
-        snprintf(assembly->included[assembly->included_count++], sizeof assembly->included[0], "%s", path);
-    return true;
+            return true;
+    return false;
 }
 
 static bool append_file(struct assembly *assembly, const char *path)
 {
-    if (!first_time(assembly, path))
+    if (is_included(assembly, path))
         return true;
+    if (assembly->included_count == INCLUDES_MAX)
+        return base_fail(assembly->log, DPL_REASON_SHADER, "%s: one file too many in a shader (at most %d)", path,
+                         INCLUDES_MAX);
+    snprintf(assembly->included[assembly->included_count++], sizeof assembly->included[0], "%s", path);
     char *text = read_shader(assembly, path);
     if (!text)
         return false;
@@ -189,11 +190,6 @@ void program_int(struct dpl_gl *gl, const struct gpu_program *program, const cha
 void program_float(struct dpl_gl *gl, const struct gpu_program *program, const char *name, double value)
 {
     gl->Uniform1f(gl->GetUniformLocation(program->name, name), (GLfloat)value);
-}
-
-void program_vec2(struct dpl_gl *gl, const struct gpu_program *program, const char *name, double x, double y)
-{
-    gl->Uniform2f(gl->GetUniformLocation(program->name, name), (GLfloat)x, (GLfloat)y);
 }
 
 void program_vec3(struct dpl_gl *gl, const struct gpu_program *program, const char *name, const double value[3])

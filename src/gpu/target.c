@@ -36,8 +36,10 @@ bool target_resize(struct dpl_gl *gl, struct gpu_target *target, int width, int 
     else
         gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target->color.name, 0);
     resize_renderbuffer(gl, &target->depth, GL_DEPTH_COMPONENT24, target, GL_DEPTH_ATTACHMENT);
-    return gl->CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE ||
-           base_fail(gl->log, DPL_REASON_LIMIT, "the device cannot draw %d × %d pixels of %d samples", width, height,
+    if (gl->CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE)
+        return true;
+    target->width = 0; /* so that the next frame tries again */
+    return base_fail(gl->log, DPL_REASON_LIMIT, "the device cannot draw %d × %d pixels of %d samples", width, height,
                      sample_count);
 }
 

@@ -10,7 +10,8 @@ const struct light_technique *const light_techniques[] = {&light_multi_sample, N
 
 const char *light_technique_name(int i)
 {
-    return light_techniques[i] ? light_techniques[i]->name : NULL;
+    const int count = sizeof light_techniques / sizeof *light_techniques - 1;
+    return i >= 0 && i < count ? light_techniques[i]->name : NULL;
 }
 
 const struct dpl_param light_sun_params[] = {
@@ -23,9 +24,9 @@ const struct dpl_param light_sun_params[] = {
 
 const struct dpl_param light_medium_params[] = {
     PARAM_CHOICE(struct light_medium, model, 0, water_model_name, "water model; see `dapple list waters`"),
-    PARAM_FLOAT(struct light_medium, ior, 1.333, 1, 3, "", "refractive index of the water"),
-    PARAM_FLOATS(struct light_medium, absorption, 3, 0, 100, "1/m", "absorption coefficient in red, green and blue",
-                 0.35, 0.07, 0.03),
+    PARAM_FLOAT(struct light_medium, ior, 1.333, 1, 3, "", "refractive index of the water (physical techniques)"),
+    PARAM_FLOATS(struct light_medium, absorption, 3, 0, 100, "1/m",
+                 "absorption coefficient in red, green and blue (physical techniques)", 0.35, 0.07, 0.03),
     PARAM_END,
 };
 

@@ -1,8 +1,9 @@
 /* light/light.h: the interface of a technique, and the list of them. One technique a file, its shaders beside it.
  *
  * A technique turns the water's surface into a caustic map: irradiance on the floor in units of what flat water would
- * give. Whoever shows, stores or compares a map does not know which technique made it. A new technique is a copy of the
- * shortest file in this folder and one line in light.c. */
+ * give; a technique that is tuned by eye gives a brightness from 0 to 1. Whoever shows, stores or compares a map does
+ * not know which technique made it. A new technique is a copy of the shortest file in this folder and one line in
+ * light.c. */
 #ifndef LIGHT_LIGHT_H
 #define LIGHT_LIGHT_H
 
@@ -56,7 +57,6 @@ struct light_technique {
     size_t params_size;
     size_t state_size; /* kept between frames, starts zeroed */
     int channels;      /* of its map: 1 grey, 3 red green blue */
-    bool physical;     /* conserves energy: flat water gives 1 */
 
     /* Fills the map on the CPU. NULL: only on the GPU. The map has its size. */
     bool (*trace)(void *state, const struct light_input *input, struct light_map *map);

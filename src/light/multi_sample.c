@@ -58,7 +58,7 @@ static void plan_table(struct multi_sample_plan *plan, const struct multi_sample
 {
     double exponent = fmax(p->sun_exponent / depth, p->sun_exponent) / 2; /* of the squared cosine */
     double start = fmax(sun_map_start(sun), 1e-3);
-    plan->table_start = (float)pow(2 * start, 1 / exponent);
+    plan->table_start = (float)fmin(pow(2 * start, 1 / exponent), 1 - 1e-5); /* leaves the table some width */
     for (int i = 0; i < MULTI_SAMPLE_TABLE; i++) {
         double square = plan->table_start + (1.0 - plan->table_start) * i / (MULTI_SAMPLE_TABLE - 1);
         float m = (float)(0.5 * pow(square, exponent));

@@ -29,7 +29,7 @@ static int mirrored(int i, int side)
 
 static bool resize_buffers(struct multi_sample_state *state, int side, const struct dpl_log *log)
 {
-    if (state->rows && state->side == side && state->threads == threads_most())
+    if (state->rows && state->blended && state->side == side && state->threads == threads_most())
         return true;
     multi_sample_free_buffers(state);
     size_t stride = stride_of(side);

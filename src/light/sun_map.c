@@ -27,9 +27,10 @@ bool sun_map_read(struct sun_map *map, const char *path, const struct dpl_log *l
     bool square = image->width == image->height && image->width > 1;
     if (!square)
         base_fail(log, DPL_REASON_FILE_FORMAT, "%s: a sun map is square: %d × %d", path, image->width, image->height);
-    map->count = square ? (image->width < SUN_MAP_POINTS_MAX ? image->width : SUN_MAP_POINTS_MAX) : 0;
+    int half = image->width / 2;
+    map->count = !square ? 0 : half < SUN_MAP_POINTS_MAX ? half : SUN_MAP_POINTS_MAX;
     for (int i = 0; i < map->count; i++) {
-        int texel = (int)((long long)i * (image->width / 2) / map->count);
+        int texel = (int)((long long)i * half / map->count);
         map->m[i] = ((float)texel + 0.5f) / (float)image->width;
         map->brightness[i] = image->pixels[(texel * image->width + texel) * image->channels];
     }

@@ -68,6 +68,7 @@ void dpl_renderer_destroy(struct dpl_renderer *renderer)
         look_collard_finish(&renderer->look_collard, gl);
         target_finish(gl, &renderer->target);
         thumbnails_finish(gl, &renderer->thumbnails);
+        gpu_leave(gl, 0);
     }
     free(renderer->pixels);
     free(renderer);
@@ -90,12 +91,23 @@ static bool surface_on_gpu(const struct dpl_renderer *renderer, const struct dpl
            surface_gpu_can_evaluate(renderer->gl, water_models[scene->medium.model]);
 }
 
+static bool check_side(const struct dpl_renderer *renderer, const char *what, int side)
+{
+    return !renderer->gl || side <= renderer->gl->info.texture_max ||
+           base_fail(renderer->log, DPL_REASON_LIMIT, "%s: too large for this device: %d (at most %d a side)", what,
+                     side, renderer->gl->info.texture_max);
+}
+
 static bool make_surface(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time, bool on_cpu,
                          bool on_gpu)
 {
     const struct water_model *model = water_models[scene->medium.model];
     struct water_setup setup = scene_water_setup(scene, renderer->waves);
     timer_pass(&renderer->timer, "surface");
+    if (renderer->gl)
+        gpu_enter(renderer->gl);
+    if (on_gpu && !check_side(renderer, "the water's grid", model->grid(&setup)))
+        return false;
     if (on_gpu && !on_cpu && surface_on_gpu(renderer, scene))
         return surface_gpu_evaluate(renderer->gl, &renderer->surface_gpu, model, &setup, time);
     if (!water_evaluate(model, &setup, time, &renderer->surface, renderer->log))
@@ -131,8 +143,8 @@ static bool trace_light(struct dpl_renderer *renderer, const struct dpl_scene *s
 {
     const struct light_technique *technique = light_techniques[scene->caustics.technique];
     if (!technique->trace)
-        return base_fail(renderer->log, DPL_REASON_UNSUPPORTED, "%s: has no CPU path, and there is no OpenGL for it",
-                         technique->name);
+        return base_fail(renderer->log, DPL_REASON_UNSUPPORTED,
+                         "%s: has no CPU path (--device gl), or no OpenGL that it can use", technique->name);
     void *state = technique_state(renderer, scene->caustics.technique);
     struct light_input input = light_input(renderer, scene);
     if (!state || !light_map_resize(&renderer->map, scene->caustics.map, technique->channels, renderer->log))
@@ -150,10 +162,12 @@ static bool trace_light(struct dpl_renderer *renderer, const struct dpl_scene *s
 static void resize_map_texture(struct dpl_renderer *renderer, struct gpu_texture *texture, int side, int channels,
                                bool uploaded, bool finished)
 {
-    bool full = uploaded && !renderer->gl->info.es;
-    GLenum format = channels == 1 ? (full ? GL_R32F : GL_R16F) : (full ? GL_RGB32F : GL_RGBA16F);
-    enum texture_filter filter = finished && renderer->gl->info.float_render ? TEXTURE_MIPMAP : TEXTURE_LINEAR;
-    texture_resize(renderer->gl, texture, format, side, side, TEXTURE_CLAMP, filter);
+    const struct dpl_gl_info *info = &renderer->gl->info;
+    GLenum drawn = channels == 1 ? GL_R16F : GL_RGBA16F;
+    GLenum half = channels == 1 ? GL_R16F : GL_RGB16F, full = channels == 1 ? GL_R32F : GL_RGB32F;
+    GLenum format = !uploaded ? drawn : info->es ? half : full;
+    bool levels = finished && info->float_render && !(info->es && format == GL_RGB16F);
+    texture_resize(renderer->gl, texture, format, side, side, TEXTURE_CLAMP, levels ? TEXTURE_MIPMAP : TEXTURE_LINEAR);
 }
 
 static bool draw_light(struct dpl_renderer *renderer, const struct dpl_scene *scene)
@@ -178,19 +192,12 @@ static bool draw_light(struct dpl_renderer *renderer, const struct dpl_scene *sc
                      &renderer->blurred_texture);
 }
 
-static bool check_map_side(const struct dpl_renderer *renderer, int side)
-{
-    return !renderer->gl || side <= renderer->gl->info.texture_max ||
-           base_fail(renderer->log, DPL_REASON_LIMIT, "caustics.map: too large for this device: %d (at most %d)", side,
-                     renderer->gl->info.texture_max);
-}
-
 /* Surface and light. `textures`: the GPU needs both, to draw a picture with. */
 static bool make_light(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time, bool textures)
 {
     const struct light_technique *technique = light_techniques[scene->caustics.technique];
     bool on_cpu = light_on_cpu(renderer, technique);
-    if (!check_map_side(renderer, scene->caustics.map) ||
+    if (!check_side(renderer, "caustics.map", scene->caustics.map) ||
         !make_surface(renderer, scene, time, on_cpu, textures || !on_cpu))
         return false;
     if (on_cpu ? !trace_light(renderer, scene) : !draw_light(renderer, scene))
@@ -201,11 +208,30 @@ static bool make_light(struct dpl_renderer *renderer, const struct dpl_scene *sc
         texture_upload(renderer->gl, &renderer->map_texture, renderer->map.texels);
         renderer->shown_map = &renderer->map_texture;
     }
-    if (textures && renderer->gl->info.float_render) {
+    if (textures && renderer->shown_map->filter == TEXTURE_MIPMAP) {
         timer_pass(&renderer->timer, "mipmaps");
         texture_make_mipmaps(renderer->gl, renderer->shown_map);
     }
     return true;
+}
+
+/* Ends a call: true where OpenGL had nothing to say against it. */
+static bool leave(struct dpl_renderer *renderer, unsigned framebuffer)
+{
+    if (!renderer->gl)
+        return true;
+    bool ok = gpu_check(renderer->gl);
+    gpu_leave(renderer->gl, framebuffer);
+    return ok;
+}
+
+/* Ends a call that returns an image. */
+static struct dpl_image *leave_with_image(struct dpl_renderer *renderer, struct dpl_image *image)
+{
+    if (leave(renderer, 0))
+        return image;
+    dpl_image_destroy(image);
+    return NULL;
 }
 
 struct dpl_image *dpl_renderer_surface(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time)
@@ -216,8 +242,7 @@ struct dpl_image *dpl_renderer_surface(struct dpl_renderer *renderer, const stru
     timer_pass(&renderer->timer, NULL);
     if (ok && on_gpu)
         ok = surface_gpu_read(renderer->gl, &renderer->surface_gpu, &renderer->surface);
-    if (renderer->gl)
-        gpu_leave(renderer->gl, 0);
+    ok = leave(renderer, 0) && ok;
     if (!ok)
         return NULL;
     const struct surface *surface = &renderer->surface;
@@ -268,9 +293,7 @@ struct dpl_image *dpl_renderer_map(struct dpl_renderer *renderer, const struct d
         image = map_image(renderer, technique->channels);
     else if (ok)
         image = read_map(renderer, technique->channels);
-    if (renderer->gl)
-        gpu_leave(renderer->gl, 0);
-    return image;
+    return leave_with_image(renderer, image);
 }
 
 /* Surface, light and look into the renderer's own target. */
@@ -309,9 +332,7 @@ bool dpl_renderer_draw(struct dpl_renderer *renderer, const struct dpl_scene *sc
     timer_pass(&renderer->timer, NULL);
     if (renderer->gl && !shown)
         renderer->gl->Finish();
-    if (renderer->gl)
-        gpu_leave(renderer->gl, shown ? framebuffer : 0);
-    return ok;
+    return leave(renderer, shown ? framebuffer : 0) && ok;
 }
 
 /* Bytes, bottom row first, to floats, top row first. */
@@ -350,10 +371,7 @@ struct dpl_image *dpl_renderer_picture(struct dpl_renderer *renderer, const stru
 {
     bool ok = draw_frame(renderer, scene, time, width, height);
     timer_pass(&renderer->timer, NULL);
-    struct dpl_image *image = ok ? read_picture(renderer) : NULL;
-    if (renderer->gl)
-        gpu_leave(renderer->gl, 0);
-    return image;
+    return leave_with_image(renderer, ok ? read_picture(renderer) : NULL);
 }
 
 void dpl_renderer_reload(struct dpl_renderer *renderer)
@@ -364,20 +382,28 @@ void dpl_renderer_reload(struct dpl_renderer *renderer)
 
 void dpl_renderer_time_passes(struct dpl_renderer *renderer, enum dpl_timing timing, double (*now)(void))
 {
-    renderer->timer.timing = timing;
+    bool possible = timing == DPL_TIMING_QUERIES ? renderer->gl && renderer->gl->info.timer_queries : now != NULL;
+    for (int i = 0; i < TIMER_FRAMES; i++)
+        renderer->timer.frames[i].count = 0;
+    renderer->timer.timing = possible ? timing : DPL_TIMING_OFF;
     renderer->timer.now = now;
     renderer->timer.times[0].name = NULL;
 }
 
 struct dpl_pass_time dpl_renderer_pass_time(const struct dpl_renderer *renderer, int index)
 {
-    return renderer->timer.times[index];
+    const struct dpl_pass_time *times = renderer->timer.times;
+    for (int i = 0; i < index && times[i].name; i++)
+        if (!times[i + 1].name)
+            return (struct dpl_pass_time){0};
+    return times[index];
 }
 
 struct dpl_thumbnail dpl_renderer_thumbnail(struct dpl_renderer *renderer, int index)
 {
     if (!renderer->gl || !renderer->shown_map)
         return (struct dpl_thumbnail){0};
+    gpu_enter(renderer->gl);
     struct dpl_thumbnail thumbnail =
         thumbnails_draw(renderer->gl, &renderer->thumbnails, index, &renderer->surface_gpu, renderer->shown_map);
     gpu_leave(renderer->gl, 0);

@@ -33,7 +33,8 @@ static const struct dpl_param render_params[] = {
     PARAM_CHOICE(struct scene_render, look, LOOK_COLLARD, look_name, "how the scene is shaded"),
     PARAM_COLOR(struct scene_render, background, 1, "colour where there is nothing", 51.0 / 255, 71.0 / 255,
                 79.0 / 255),
-    PARAM_INT(struct scene_render, samples, 1, 1, 16, "", "samples a pixel, for smooth edges (1, 2, 4, 8 or 16)"),
+    PARAM_INT(struct scene_render, samples, 1, 1, 16, "",
+              "samples a pixel, for smooth edges; the device takes the next number that it has"),
     PARAM_BOOL(struct scene_render, wireframe, false, "draw only the edges of triangles"),
     PARAM_END,
 };
@@ -46,7 +47,7 @@ struct fixed_section {
 };
 static const struct fixed_section fixed_sections[] = {
     {"scene", "the tile of water", settings_params, offsetof(struct dpl_scene, settings)},
-    {"sun", "the sun", light_sun_params, offsetof(struct dpl_scene, sun)},
+    {"sun", "the sun (multi-sample has its own, straight overhead)", light_sun_params, offsetof(struct dpl_scene, sun)},
     {"water", "the water and its waves", light_medium_params, offsetof(struct dpl_scene, medium)},
     {"caustics", "the caustic map", light_settings_params, offsetof(struct dpl_scene, caustics)},
     {"camera", "the view", camera_params, offsetof(struct dpl_scene, camera)},
@@ -155,13 +156,13 @@ struct water_setup scene_water_setup(const struct dpl_scene *scene, struct wave 
 
 struct dpl_entry dpl_water_model(int index)
 {
-    const struct water_model *model = water_models[index];
+    const struct water_model *model = water_model_name(index) ? water_models[index] : NULL;
     return model ? (struct dpl_entry){model->name, model->summary, model->source} : (struct dpl_entry){0};
 }
 
 struct dpl_entry dpl_technique(int index)
 {
-    const struct light_technique *technique = light_techniques[index];
+    const struct light_technique *technique = light_technique_name(index) ? light_techniques[index] : NULL;
     return technique ? (struct dpl_entry){technique->name, technique->summary, technique->source}
                      : (struct dpl_entry){0};
 }

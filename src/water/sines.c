@@ -8,7 +8,8 @@
 
 #include <math.h>
 
-#define GRAVITY 9.81
+#define GRAVITY 9.81     /* m/s² */
+#define PERIOD_MIN 0.001 /* s; keeps time / period finite */
 
 const struct dpl_param water_wave_params[] = {
     PARAM_INTS(struct wave, cycles, 2, -256, 256, "", "whole waves across the tile, along x and along z", 1, 0),
@@ -26,7 +27,7 @@ static double period_of(const struct wave *wave, const struct water_setup *setup
         period = 2 * M_PI / sqrt(GRAVITY * k * tanh(k * setup->depth));
     if (period > 0 && setup->loop > 0)
         period = setup->loop / fmax(1, round(setup->loop / period));
-    return period;
+    return period > 0 ? fmax(period, PERIOD_MIN) : 0;
 }
 
 /* Phase at the middle of the tile, radians, in one turn so that it stays exact when time is long. */
@@ -42,7 +43,7 @@ static int grid(const struct water_setup *setup)
     return setup->mesh;
 }
 
-/* Adds one wave to one row. cos(a + b) with a = 2π cx i / N: a turns by whole steps of the table, b is the row's. */
+/* Adds one wave to one row, whose phase at the tile's middle column is `row_phase`. */
 static void add_wave_to_row(const struct wave *wave, const struct water_setup *setup, double row_phase, int count,
                             float *row)
 {

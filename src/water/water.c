@@ -6,7 +6,8 @@ const struct water_model *const water_models[] = {&water_sines, &water_collard, 
 
 const char *water_model_name(int i)
 {
-    return water_models[i] ? water_models[i]->name : NULL;
+    const int count = sizeof water_models / sizeof *water_models - 1;
+    return i >= 0 && i < count ? water_models[i]->name : NULL;
 }
 
 bool water_evaluate(const struct water_model *model, const struct water_setup *setup, double time,

@@ -42,7 +42,7 @@ struct water_model {
     int (*grid)(const struct water_setup *setup);
     /* Fills heights and slopes of a surface that has that grid, at `time` seconds. */
     void (*evaluate)(const struct water_setup *setup, double time, struct surface *surface);
-    /* Height and slopes at any one point, exact. */
+    /* Height and slopes at any one point, exact: what the grid is held against. */
     void (*sample)(const struct water_setup *setup, double time, double x, double z, double out[3]);
 
     /* The same on the GPU; NULL: the grid is evaluated on the CPU and uploaded. The shader file defines
