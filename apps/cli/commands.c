@@ -28,9 +28,9 @@ const struct command commands[] = {
         .name = "map",
         .operand = "[SCENE]",
         .help = "the caustic map of the floor",
-        .more = "OUT ends in .png (clamped), .exr or .pfm (linear, unclamped). From a physical technique 1 is the "
-                "light under "
-                "flat water; multi-sample gives a brightness from 0 to 1.\n",
+        .more = "OUT ends in .png (clamped), .exr or .pfm (linear, unclamped). From a physical "
+                "technique 1 is the light under flat water; multi-sample gives a brightness from 0 to 1. --white "
+                "brightens a dim .png.\n",
         .examples = {"map --map 2048 -o caustics.exr",
                      "map my-pool.ini --white 4 --bits 16 --frames 60 -o map-%04d.png"},
         .frames = "1",

@@ -4,7 +4,7 @@
 
 #include "cli/options.h"
 
-#define DEFAULT_SCENE "collard-1"
+#define DEFAULT_SCENE "rings"
 
 struct command {
     const char *name;        /* NULL ends the table */
