@@ -156,14 +156,14 @@ static void load(struct fixture *fixture, int preset, int side, int steps, bool 
 }
 
 /* The scene's map against the formulas; returns the largest difference. */
-static double difference(struct fixture *fixture, int preset, double time, int steps, bool faithful,
-                         double (*normals)[3], int side)
+static double difference(struct fixture *fixture, const struct collard_preset *preset, double time, int steps,
+                         bool faithful, double (*normals)[3], int side)
 {
     struct dpl_image *map = dpl_renderer_map(fixture->renderer, fixture->scene, time);
     assert_non_null(map);
     assert_int_equal(map->width, side);
     assert_int_equal(map->height, side);
-    const struct task task = plan(collard_presets + preset - 1, steps, faithful);
+    const struct task task = plan(preset, steps, faithful);
     double most = 0;
 #pragma omp parallel for reduction(max : most)
     for (int t = 0; t < side * side; t++) {
@@ -188,7 +188,7 @@ static void expect_close(struct fixture *fixture, int preset, double time, int s
                          double (*normals)[3], int side)
 {
     load(fixture, preset, side, steps, faithful);
-    double most = difference(fixture, preset, time, steps, faithful, normals, side);
+    double most = difference(fixture, collard_presets + preset - 1, time, steps, faithful, normals, side);
     if (most > TOLERANCE)
         fail_msg("preset %d, time %g, steps %d, %s, map %d: off by %.5f", preset, time, steps,
                  faithful ? "faithful" : "equal signs", side, most);
@@ -239,8 +239,24 @@ static void flat_water_is_the_formula(void **state)
     for (int steps = 1; steps <= 5; steps++) {
         load(fixture, 4, 32, steps, true);
         support_set(fixture->scene, "collard.amplitude", "0");
-        double most = difference(fixture, 4, 1, steps, true, normals, 32);
+        double most = difference(fixture, collard_presets + 3, 1, steps, true, normals, 32);
         assert_true(most <= TOLERANCE);
+    }
+}
+
+/* Less than a metre with the bias: the sun's exponent and its brightness grow by 1/D. */
+static void shallow_water_is_the_formula(void **state)
+{
+    static double normals[128 * 128][3];
+    struct collard_preset shallow = collard_presets[0];
+    shallow.depth = 0.05;
+    shallow.sun_exponent = 100;
+    fill_normals(1, 1, 128, normals);
+    for (int steps = 1; steps <= 5; steps++) {
+        load(*state, 1, 128, steps, false);
+        support_set(((struct fixture *)*state)->scene, "scene.depth", "0.05");
+        support_set(((struct fixture *)*state)->scene, "multi-sample.sun_exponent", "100");
+        assert_true(difference(*state, &shallow, 1, steps, false, normals, 128) <= TOLERANCE);
     }
 }
 
@@ -251,6 +267,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(the_papers_map_is_the_formula, setup, teardown),
         cmocka_unit_test_setup_teardown(small_and_odd_maps_are_the_formula, setup, teardown),
         cmocka_unit_test_setup_teardown(flat_water_is_the_formula, setup, teardown),
+        cmocka_unit_test_setup_teardown(shallow_water_is_the_formula, setup, teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
