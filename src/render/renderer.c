@@ -335,21 +335,8 @@ bool dpl_renderer_draw(struct dpl_renderer *renderer, const struct dpl_scene *sc
     return leave(renderer, shown ? framebuffer : 0) && ok;
 }
 
-/* Bytes, bottom row first, to floats, top row first. */
-static void bytes_to_image(const unsigned char *bytes, struct dpl_image *image)
-{
-    for (int y = 0; y < image->height; y++) {
-        const unsigned char *row = bytes + (size_t)(image->height - 1 - y) * (size_t)image->width * 4;
-        float *out = image->pixels + (size_t)y * (size_t)image->width * 3;
-        for (int x = 0; x < image->width; x++)
-            for (int c = 0; c < 3; c++)
-                out[x * 3 + c] = (float)row[x * 4 + c] / 255.0f;
-    }
-}
-
 static struct dpl_image *read_picture(struct dpl_renderer *renderer)
 {
-    struct dpl_gl *gl = renderer->gl;
     int width = renderer->target.width, height = renderer->target.height;
     size_t size = (size_t)width * (size_t)height * 4;
     if (renderer->pixels_size < size) {
@@ -360,9 +347,7 @@ static struct dpl_image *read_picture(struct dpl_renderer *renderer)
     struct dpl_image *image = renderer->pixels ? dpl_image_create(width, height, renderer->log) : NULL;
     if (!image)
         return NULL;
-    gl->BindFramebuffer(GL_FRAMEBUFFER, renderer->target.color.framebuffer);
-    gl->ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, renderer->pixels);
-    bytes_to_image(renderer->pixels, image);
+    target_read(renderer->gl, &renderer->target, renderer->pixels, image);
     return image;
 }
 
