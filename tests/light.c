@@ -152,7 +152,7 @@ static void a_blur_is_the_mean_of_its_square(void **state)
             for (int width = 0; width <= 5; width++) {
                 struct light_map map = {0};
                 struct light_blur blur = {0};
-                assert_true(light_map_resize(&map, sides[k], channels, NULL));
+                assert_true(light_map_resize(&map, sides[k], channels, 1, NULL));
                 size_t count = (size_t)(sides[k] * sides[k] * channels);
                 float *before = malloc(count * sizeof *before);
                 for (size_t i = 0; i < count; i++)

@@ -137,7 +137,7 @@ static const struct refusal refusals[] = {
     {"[sun]\n\n[moon]\nx = 5\n", DPL_REASON_UNKNOWN_SECTION, "pool.ini:3: ", "moon", "sun"},
     {"[sun]\n[moon]\n", DPL_REASON_UNKNOWN_SECTION, "pool.ini:2: ", "moon", "wave.1 to wave.64"},
     {"[]\n", DPL_REASON_UNKNOWN_SECTION, "pool.ini:1: ", "", "sun"},
-    {"[sun]\nelevation = 91\n", DPL_REASON_RANGE, "pool.ini:2: sun.elevation", "\"91\"", "0 to 90 degrees"},
+    {"[sun]\nelevation = 91\n", DPL_REASON_RANGE, "pool.ini:2: sun.elevation", "\"91\"", "1 to 90 degrees"},
     {"\n\n[sun]\r\n elevation = abc ; note\n", DPL_REASON_VALUE, "pool.ini:4: sun.elevation", "\"abc\"", "0 to 90"},
     {"[sun]\nelevation =\n", DPL_REASON_VALUE, "pool.ini:2: sun.elevation", "\"\"", "0 to 90"},
     {"[sun]\nelevation = 5\n = 5\n", DPL_REASON_UNKNOWN_KEY, "pool.ini:3: ", "\"\"", "elevation"},

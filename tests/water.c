@@ -1,4 +1,5 @@
 /* What is true of every water model, and of the surface's normals between its vertices. */
+#include "water.h"
 #include "support.h"
 
 #include "scene/scene.h"
@@ -72,7 +73,7 @@ static const float *vertex(const struct surface *surface, int i, int j)
 
 static void sample(const struct water *water, double x, double z, double out[3])
 {
-    water->model->sample(&water->setup, water->time, x, z, out);
+    sample_water(water->model, &water->setup, water->time, x, z, out);
 }
 
 /* The largest height and slope: what tolerances are counted in. */

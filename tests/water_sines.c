@@ -1,5 +1,6 @@
 /* The sum of sine waves against its formula, written out a second time, and against the theory of water waves. */
 #include "support.h"
+#include "water.h"
 
 #include "scene/scene.h"
 
@@ -36,7 +37,7 @@ static int teardown(void **state)
 static double height(const struct fixture *fixture, double time, double x, double z)
 {
     double out[3];
-    fixture->model->sample(&fixture->setup, time, x, z, out);
+    sample_water(fixture->model, &fixture->setup, time, x, z, out);
     return out[0];
 }
 

@@ -9,14 +9,10 @@ static float mean_along(const float *line, int index, int count, size_t step, in
     return sum / (float)(2 * width);
 }
 
-bool blur_map(struct light_blur *blur, struct light_map *map, int width, const struct dpl_log *log)
+static void blur_slice(const struct light_blur *blur, const struct light_map *map, int slice, int width)
 {
-    if (width == 0)
-        return true;
-    if (!light_map_resize(&blur->lines, map->side, map->channels, log))
-        return false;
     int side = map->side, row = side * map->channels;
-    float *lines = blur->lines.texels, *texels = map->texels;
+    float *lines = blur->lines.texels, *texels = light_map_slice(map, slice);
 #pragma omp parallel for
     for (int j = 0; j < side; j++)
         for (int i = 0; i < row; i++)
@@ -27,6 +23,16 @@ bool blur_map(struct light_blur *blur, struct light_map *map, int width, const s
     for (int j = 0; j < side; j++)
         for (int i = 0; i < row; i++)
             texels[(size_t)j * (size_t)row + (size_t)i] = mean_along(lines + i, j, side, (size_t)row, width);
+}
+
+bool blur_map(struct light_blur *blur, struct light_map *map, int width, const struct dpl_log *log)
+{
+    if (width == 0)
+        return true;
+    if (!light_map_resize(&blur->lines, map->side, map->channels, 1, log))
+        return false;
+    for (int slice = 0; slice < map->slices; slice++)
+        blur_slice(blur, map, slice, width);
     return true;
 }
 

@@ -13,7 +13,7 @@ struct light_blur {
     struct light_map lines; /* half done: blurred along x */
 };
 
-/* Blurs a map in place. */
+/* Blurs every slice of a map in place. */
 bool blur_map(struct light_blur *blur, struct light_map *map, int width, const struct dpl_log *log);
 
 /* Draws the blurred texture into another of the same size. */

@@ -67,10 +67,11 @@ static void plan_table(struct multi_sample_plan *plan, const struct multi_sample
     plan->table[0] = (float)(sun_map_at(sun, 0) * fmax(1 / depth, 1) * p->base_intensity);
 }
 
-bool multi_sample_prepare(struct multi_sample_state *state, const struct light_input *input)
+bool multi_sample_prepare(struct multi_sample_state *state, const struct light_input *input, int slice)
 {
     const struct multi_sample *p = input->params;
-    double depth = fmax(input->depth + input->settings->depth_bias, 1e-3); /* m; the formulas divide by it */
+    double depth =
+        fmax(-input->receivers[slice] + input->settings->depth_bias, 1e-3); /* m; the formulas divide by it */
     if (state->planned && depth == state->depth && !memcmp(p, &state->params, sizeof *p))
         return true;
     if (*p->sun_map == '\0')
@@ -108,7 +109,7 @@ static void draw_normals(struct multi_sample_state *state, struct dpl_gl *gl, co
 static bool draw(void *state_, struct dpl_gl *gl, const struct light_input *input, struct gpu_texture *map)
 {
     struct multi_sample_state *state = state_;
-    if (!multi_sample_prepare(state, input) || !build_programs(state, gl))
+    if (!multi_sample_prepare(state, input, 0) || !build_programs(state, gl))
         return false;
     draw_normals(state, gl, input, map->width);
     const struct multi_sample_plan *plan = &state->plan;

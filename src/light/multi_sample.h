@@ -55,7 +55,7 @@ bool multi_sample_trace(void *state, const struct light_input *input, struct lig
 /* Frees what multi_sample_trace() keeps between calls. */
 void multi_sample_free_buffers(struct multi_sample_state *state);
 
-/* Brings the plan up to date with the input. */
-bool multi_sample_prepare(struct multi_sample_state *state, const struct light_input *input);
+/* Brings the plan up to date with the input, for one of its slices. */
+bool multi_sample_prepare(struct multi_sample_state *state, const struct light_input *input, int slice);
 
 #endif

@@ -143,18 +143,27 @@ VECTOR_CLONES static void finish_row(const struct multi_sample_plan *restrict pl
     }
 }
 
+static void trace_slice(const struct multi_sample_state *state, int side, float *texels)
+{
+#pragma omp parallel for
+    for (int j = 0; j < side; j++) {
+        float *row = texels + (size_t)j * (size_t)side;
+        trace_row(state, j, row);
+        finish_row(&state->plan, side, row);
+    }
+}
+
 bool multi_sample_trace(void *state_, const struct light_input *input, struct light_map *map)
 {
     struct multi_sample_state *state = state_;
-    if (!multi_sample_prepare(state, input) || !resize_buffers(state, map->side, input->log) ||
+    if (!resize_buffers(state, map->side, input->log) ||
         !normal_map_begin(&state->normal_map, input->surface, map->side, input->log))
         return false;
     fill_normals(state);
-#pragma omp parallel for
-    for (int j = 0; j < map->side; j++) {
-        float *row = map->texels + (size_t)j * (size_t)map->side;
-        trace_row(state, j, row);
-        finish_row(&state->plan, map->side, row);
+    for (int slice = 0; slice < map->slices; slice++) {
+        if (!multi_sample_prepare(state, input, slice))
+            return false;
+        trace_slice(state, map->side, light_map_slice(map, slice));
     }
     return true;
 }

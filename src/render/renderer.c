@@ -17,6 +17,8 @@ struct dpl_renderer {
     struct gpu_timer timer;
 
     struct wave waves[WATER_WAVES_MAX];
+    struct water_setup setup;
+    double receivers[LIGHT_SLICES_MAX];
     struct surface surface;
     struct surface_gpu surface_gpu;
 
@@ -125,12 +127,17 @@ static void *technique_state(struct dpl_renderer *renderer, int index)
     return *state;
 }
 
-static struct light_input light_input(const struct dpl_renderer *renderer, const struct dpl_scene *scene)
+static struct light_input light_input(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time)
 {
+    renderer->setup = scene_water_setup(scene, renderer->waves);
     return (struct light_input){
         .surface = &renderer->surface,
         .surface_gpu = &renderer->surface_gpu,
-        .depth = scene->settings.depth,
+        .model = water_models[scene->medium.model],
+        .setup = &renderer->setup,
+        .time = time,
+        .receivers = renderer->receivers,
+        .slices = scene_receivers(scene, renderer->receivers),
         .sun = &scene->sun,
         .medium = &scene->medium,
         .settings = &scene->caustics,
@@ -139,15 +146,16 @@ static struct light_input light_input(const struct dpl_renderer *renderer, const
     };
 }
 
-static bool trace_light(struct dpl_renderer *renderer, const struct dpl_scene *scene)
+static bool trace_light(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time)
 {
     const struct light_technique *technique = light_techniques[scene->caustics.technique];
     if (!technique->trace)
         return base_fail(renderer->log, DPL_REASON_UNSUPPORTED,
                          "%s: has no CPU path (--device gl), or no OpenGL that it can use", technique->name);
     void *state = technique_state(renderer, scene->caustics.technique);
-    struct light_input input = light_input(renderer, scene);
-    if (!state || !light_map_resize(&renderer->map, scene->caustics.map, technique->channels, renderer->log))
+    struct light_input input = light_input(renderer, scene, time);
+    if (!state ||
+        !light_map_resize(&renderer->map, scene->caustics.map, technique->channels, input.slices, renderer->log))
         return false;
     timer_pass(&renderer->timer, "light");
     if (!technique->trace(state, &input, &renderer->map))
@@ -170,11 +178,11 @@ static void resize_map_texture(struct dpl_renderer *renderer, struct gpu_texture
     texture_resize(renderer->gl, texture, format, side, side, TEXTURE_CLAMP, levels ? TEXTURE_MIPMAP : TEXTURE_LINEAR);
 }
 
-static bool draw_light(struct dpl_renderer *renderer, const struct dpl_scene *scene)
+static bool draw_light(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time)
 {
     const struct light_technique *technique = light_techniques[scene->caustics.technique];
     void *state = technique_state(renderer, scene->caustics.technique);
-    struct light_input input = light_input(renderer, scene);
+    struct light_input input = light_input(renderer, scene, time);
     int side = scene->caustics.map;
     if (!state)
         return false;
@@ -200,7 +208,7 @@ static bool make_light(struct dpl_renderer *renderer, const struct dpl_scene *sc
     if (!check_side(renderer, "caustics.map", scene->caustics.map) ||
         !make_surface(renderer, scene, time, on_cpu, textures || !on_cpu))
         return false;
-    if (on_cpu ? !trace_light(renderer, scene) : !draw_light(renderer, scene))
+    if (on_cpu ? !trace_light(renderer, scene, time) : !draw_light(renderer, scene, time))
         return false;
     if (textures && on_cpu) {
         timer_pass(&renderer->timer, "upload");

@@ -2,6 +2,7 @@
 
 #include "base/log.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -47,8 +48,9 @@ struct fixed_section {
 };
 static const struct fixed_section fixed_sections[] = {
     {"scene", "the tile of water", settings_params, offsetof(struct dpl_scene, settings)},
-    {"sun", "the sun (multi-sample has its own, straight overhead)", light_sun_params, offsetof(struct dpl_scene, sun)},
-    {"water", "the water and its waves", light_medium_params, offsetof(struct dpl_scene, medium)},
+    {"sun", "the sun (multi-sample has its own, straight overhead)", optics_sun_params,
+     offsetof(struct dpl_scene, sun)},
+    {"water", "the water and its waves", water_medium_params, offsetof(struct dpl_scene, medium)},
     {"caustics", "the caustic map", light_settings_params, offsetof(struct dpl_scene, caustics)},
     {"camera", "the view", camera_params, offsetof(struct dpl_scene, camera)},
     {"floor", "the sand", floor_params, offsetof(struct dpl_scene, floor)},
@@ -152,6 +154,16 @@ struct water_setup scene_water_setup(const struct dpl_scene *scene, struct wave 
         .wave_count = count,
         .params = scene->model_params[scene->medium.model],
     };
+}
+
+int scene_receivers(const struct dpl_scene *scene, double heights[LIGHT_SLICES_MAX])
+{
+    const double nearest = 1e-6; /* m; a receiver lies on one side of the rest surface */
+    int count = scene->caustics.ceiling > 0 ? 1 : scene->caustics.slices;
+    heights[0] = fmax(scene->caustics.ceiling, nearest);
+    for (int k = 0; k < count && scene->caustics.ceiling == 0; k++)
+        heights[k] = -fmax(scene->settings.depth * (count - k) / count, nearest);
+    return count;
 }
 
 struct dpl_entry dpl_water_model(int index)

@@ -36,8 +36,8 @@ struct scene_render {
 struct dpl_scene {
     const struct dpl_log *log;
     struct scene_settings settings;
-    struct light_sun sun;
-    struct light_medium medium;
+    struct optics_sun sun;
+    struct water_medium medium;
     struct light_settings caustics;
     struct scene_camera camera;
     struct scene_floor floor;
@@ -49,6 +49,9 @@ struct dpl_scene {
     bool wave_present[WATER_WAVES_MAX];
     char wave_names[WATER_WAVES_MAX][12]; /* "wave.1", … */
 };
+
+/* The heights of the receivers that the scene asks light for; returns how many, 1 to LIGHT_SLICES_MAX. */
+int scene_receivers(const struct dpl_scene *scene, double heights[LIGHT_SLICES_MAX]);
 
 /* The parts of a scene that a water model sees. `waves` is room for WATER_WAVES_MAX, filled with those present. */
 struct water_setup scene_water_setup(const struct dpl_scene *scene, struct wave *waves);

@@ -148,7 +148,7 @@ static void evaluate(const struct water_setup *setup, double time, struct surfac
 }
 
 /* The model lives on its vertices: between them the surface is the mesh's triangles. */
-static void sample(const struct water_setup *setup, double time, double x, double z, double out[3])
+static void sample_point(const struct water_setup *setup, double time, double x, double z, double out[3])
 {
     const struct collard *w = setup->params;
     double u = (x / setup->size + 0.5) * w->cells, v = (z / setup->size + 0.5) * w->cells;
@@ -161,6 +161,17 @@ static void sample(const struct water_setup *setup, double time, double x, doubl
     out[2] = (second ? corner - right : below - corner) * per_spacing;
     double from_x = (u - i - second) / per_spacing, from_z = (v - j - second) / per_spacing;
     out[0] = corner + out[1] * from_x + out[2] * from_z;
+}
+
+static void sample(const struct water_setup *setup, double time, struct water_points *points)
+{
+    for (int i = 0; i < points->count; i++) {
+        double out[3];
+        sample_point(setup, time, points->x[i], points->z[i], out);
+        points->height[i] = out[0];
+        points->slope_x[i] = out[1];
+        points->slope_z[i] = out[2];
+    }
 }
 
 const struct water_model water_collard = {

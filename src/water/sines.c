@@ -75,7 +75,7 @@ static void evaluate(const struct water_setup *setup, double time, struct surfac
     }
 }
 
-static void sample(const struct water_setup *setup, double time, double x, double z, double out[3])
+static void sample_point(const struct water_setup *setup, double time, double x, double z, double out[3])
 {
     out[0] = out[1] = out[2] = 0;
     for (int w = 0; w < setup->wave_count; w++) {
@@ -85,6 +85,17 @@ static void sample(const struct water_setup *setup, double time, double x, doubl
         out[0] += wave->amplitude * cos(angle);
         out[1] -= wave->amplitude * kx * sin(angle);
         out[2] -= wave->amplitude * kz * sin(angle);
+    }
+}
+
+static void sample(const struct water_setup *setup, double time, struct water_points *points)
+{
+    for (int i = 0; i < points->count; i++) {
+        double out[3];
+        sample_point(setup, time, points->x[i], points->z[i], out);
+        points->height[i] = out[0];
+        points->slope_x[i] = out[1];
+        points->slope_z[i] = out[2];
     }
 }
 

@@ -5,22 +5,28 @@
 #include <math.h>
 #include <stdlib.h>
 
-bool surface_resize(struct surface *surface, int columns, int rows, bool periodic, double size,
+bool surface_resize(struct surface *surface, int columns, int rows, bool periodic, bool choppy, double size,
                     const struct dpl_log *log)
 {
     surface->size = size;
     surface->periodic = periodic;
-    if (surface->texels && surface->columns == columns && surface->rows == rows)
+    if (surface->texels && surface->columns == columns && surface->rows == rows && choppy == (surface->shifts != NULL))
         return true;
     surface_finish(surface);
-    float *texels = base_allocate(log, (size_t)columns * (size_t)rows * 3, sizeof *texels, "water surface");
-    *surface = (struct surface){columns, rows, periodic, size, texels};
-    return texels != NULL;
+    size_t count = (size_t)columns * (size_t)rows;
+    float *texels = base_allocate(log, count * 3, sizeof *texels, "water surface");
+    float *shifts = choppy ? base_allocate(log, count * 2, sizeof *shifts, "water surface") : NULL;
+    *surface = (struct surface){columns, rows, periodic, size, texels, shifts};
+    if (texels && (shifts || !choppy))
+        return true;
+    surface_finish(surface);
+    return false;
 }
 
 void surface_finish(struct surface *surface)
 {
     free(surface->texels);
+    free(surface->shifts);
     *surface = (struct surface){0};
 }
 

@@ -1,7 +1,7 @@
 /* water/surface.h: the moving surface at one time, as a grid of vertices. What every water model makes and every
  * technique reads.
  *
- * Vertex (i, j) stands at x = -size/2 + i · spacing, z = -size/2 + j · spacing. A periodic surface leaves out the
+ * Vertex (i, j) rests at x = -size/2 + i · spacing, z = -size/2 + j · spacing. A periodic surface leaves out the
  * repeated edge (spacing = size / columns); a bounded one has both edges (spacing = size / (columns - 1)). A cell is
  * cut into two triangles along the diagonal from (i + 1, j) to (i, j + 1). */
 #ifndef WATER_SURFACE_H
@@ -16,10 +16,13 @@ struct surface {
     bool periodic;
     double size;   /* m */
     float *texels; /* rows × columns × 3: height (m), slope along x, slope along z */
+    float
+        *shifts; /* rows × columns × 2: how far a vertex stands from its place at rest, along x and z (m); NULL: none */
 };
 
-/* Makes the grid that size, or leaves it where it already is. All zero is a valid empty surface. */
-bool surface_resize(struct surface *surface, int columns, int rows, bool periodic, double size,
+/* Makes the grid that size, or leaves it where it already is; `choppy`: with shifts. All zero is a valid empty surface.
+ */
+bool surface_resize(struct surface *surface, int columns, int rows, bool periodic, bool choppy, double size,
                     const struct dpl_log *log);
 
 /* Leaves it zeroed. */

@@ -47,7 +47,7 @@ bool surface_gpu_read(struct dpl_gl *gl, struct surface_gpu *surface, struct sur
     int columns = surface->texels.width, rows = surface->texels.height;
     size_t count = (size_t)columns * (size_t)rows;
     float *texels = base_allocate(gl->log, count * 4, sizeof *texels, "water surface");
-    bool ok = texels && surface_resize(to, columns, rows, surface->periodic, surface->size, gl->log);
+    bool ok = texels && surface_resize(to, columns, rows, surface->periodic, false, surface->size, gl->log);
     if (ok) {
         texture_draw_to(gl, &surface->texels);
         gl->ReadPixels(0, 0, columns, rows, GL_RGBA, GL_FLOAT, texels);

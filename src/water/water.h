@@ -10,6 +10,18 @@
 #define WATER_WAVES_MAX 64
 #define WATER_CONSTANTS_MAX 128 /* vec4 constants of a model's shader */
 
+/* Section [water]: which model makes the waves, and what the water is. */
+struct water_medium {
+    int model;            /* index into water_models */
+    double ior;           /* refractive index of green light */
+    double dispersion;    /* refractive index of blue light less that of red */
+    double absorption[3]; /* 1/m, red green blue */
+};
+extern const struct dpl_param water_medium_params[];
+
+/* The refractive indices of red, green and blue light. */
+void water_refractive_indices(const struct water_medium *medium, double ior[3]);
+
 /* One wave of `sines`: a section `[wave.N]` of scene text. */
 struct wave {
     int cycles[2];    /* whole waves across the tile, along x and z */
@@ -30,6 +42,16 @@ struct water_setup {
     const void *params; /* the model's own struct */
 };
 
+/* Points of the surface: `count` numbers in each array. */
+struct water_points {
+    int count;
+    const double *x, *z;       /* m, of the point at rest */
+    double *height;            /* m */
+    double *slope_x, *slope_z; /* of the surface where the point is now */
+    double *shift_x, *shift_z; /* m, horizontally from where it rests */
+    double *area;              /* of a small piece of surface seen from above, to its area at rest */
+};
+
 struct water_model {
     const char *name;
     const char *summary;            /* one line */
@@ -37,13 +59,14 @@ struct water_model {
     const struct dpl_param *params; /* ends with PARAM_END; NULL: none */
     size_t params_size;
     bool periodic; /* its left and right edges join, and its upper and lower */
+    bool choppy;   /* its points move horizontally too: `evaluate` and `sample` fill shifts */
 
     /* Vertices a side of the grid that the model wants. */
     int (*grid)(const struct water_setup *setup);
     /* Fills heights and slopes of a surface that has that grid, at `time` seconds. */
     void (*evaluate)(const struct water_setup *setup, double time, struct surface *surface);
-    /* Height and slopes at any one point, exact: what the grid is held against. */
-    void (*sample)(const struct water_setup *setup, double time, double x, double z, double out[3]);
+    /* The surface at any points, exact where the model is. May be called by several threads at once. */
+    void (*sample)(const struct water_setup *setup, double time, struct water_points *points);
 
     /* The same on the GPU; NULL: the grid is evaluated on the CPU and uploaded. The shader file defines
      * `vec3 water(vec2 xz)` over `uniform vec4 constants[]`; `constants` writes what it needs, returns how many. */
@@ -55,6 +78,10 @@ extern const struct water_model *const water_models[]; /* ends with NULL */
 
 /* The i-th model's name, NULL past the last: the choices of `water.model`. */
 const char *water_model_name(int i);
+
+/* The model's points; where it is not choppy, shifts are 0 and areas 1. */
+void water_sample(const struct water_model *model, const struct water_setup *setup, double time,
+                  struct water_points *points);
 
 /* Gives the surface the model's grid, heights and slopes at `time`. */
 bool water_evaluate(const struct water_model *model, const struct water_setup *setup, double time,
