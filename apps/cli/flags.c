@@ -27,6 +27,8 @@ const struct flag flags[FLAG_COUNT] = {
     [FLAG_MAP] = {"--map", NULL, "N", "side of the caustic map, texels", SCENE_VALUE("caustics.map")},
     [FLAG_TECHNIQUE] = {"--technique", NULL, "NAME", "what computes the caustic map (`dapple list techniques`)",
                         SCENE_VALUE("caustics.technique")},
+    [FLAG_AGAINST] = {"--against", NULL, "NAME", "the technique that stands for the truth", .type = VALUE_TEXT,
+                      TO(against), .default_text = DEFAULT_AGAINST},
     [FLAG_SEED] = {"--seed", NULL, "N", "start of everything random", SCENE_VALUE("scene.seed")},
     [FLAG_DEVICE] = {"--device", NULL, "NAME", "where the water and its light are computed", .type = VALUE_CHOICE,
                      TO(device), .choices = {"auto", "gl", "cpu"}},

@@ -13,6 +13,7 @@ enum flag_id {
     FLAG_SIZE,
     FLAG_MAP,
     FLAG_TECHNIQUE,
+    FLAG_AGAINST,
     FLAG_SEED,
     FLAG_DEVICE,
     FLAG_BITS,
