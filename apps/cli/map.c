@@ -12,7 +12,7 @@ struct statistics {
 
 static struct dpl_image *make(const struct session *session, double time)
 {
-    return dpl_renderer_map(session->renderer, session->scene, time);
+    return dpl_renderer_slice(session->renderer, session->scene, time, session->options->slice);
 }
 
 /* Over all texels, channels and frames. */

@@ -22,7 +22,8 @@ struct options {
     int setting_count;
     const char *output, *shaders; /* NULL: not given */
     double time, fps, white;
-    int frames;  /* 0: not given */
+    int frames; /* 0: not given */
+    int slice;
     int size[2]; /* width and height, pixels */
     int device;  /* enum dpl_device */
     int bits;    /* 0: 8, 1: 16 */

@@ -38,8 +38,14 @@ DPL_API struct dpl_image *dpl_renderer_surface(struct dpl_renderer *renderer, co
 
 /* The caustic map of the floor at `time` seconds, red green blue: irradiance in units of what flat water would give,
  * where the technique is a physical one; `multi-sample` is tuned by eye and gives a brightness from 0 to 1.
+ * Of `caustics.ceiling`, where that is set, in place of the floor's.
  * Returns NULL on failure; the caller destroys the image. */
 DPL_API struct dpl_image *dpl_renderer_map(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time);
+
+/* The same of one of the receivers that `caustics.slices` asks for: 0 is the floor, the next lie at even steps above
+ * it. An error where there is no such slice. */
+DPL_API struct dpl_image *dpl_renderer_slice(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time,
+                                             int slice);
 
 /* Draws the scene into a framebuffer of the caller's context (0: the window), over its whole width × height.
  * DPL_NO_FRAMEBUFFER draws it into nothing that can be seen and waits until the device is done: for benchmarks. */

@@ -161,6 +161,7 @@ void gpu_leave(struct dpl_gl *gl, unsigned framebuffer)
     for (GLenum unit = TEXTURE_UNITS; unit-- > 0;) {
         gl->ActiveTexture(GL_TEXTURE0 + unit);
         gl->BindTexture(GL_TEXTURE_2D, 0);
+        gl->BindTexture(GL_TEXTURE_2D_ARRAY, 0);
     }
     gl->UseProgram(0);
     gl->BindVertexArray(0);

@@ -12,7 +12,8 @@
 
 static const char *const dialect_lines[] = {
     [PROGRAM_GL33] = "#version 330 core\n",
-    [PROGRAM_ES30] = "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n",
+    [PROGRAM_ES30] = "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
+                     "precision highp sampler2DArray;\n",
 };
 
 /* A text that is being put together from files. */
