@@ -71,6 +71,9 @@ static void disturb(struct fixture *fixture)
     gl->GenBuffers(1, &buffer);
     gl->BindBuffer(GL_ARRAY_BUFFER, buffer);
     gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
+    for (GLuint index = 0; index < 2; index++)
+        gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, index, buffer);
+    gl->GetError(); /* before OpenGL 4.3 and OpenGL ES 3.1 there are no such buffers */
     gl->GenRenderbuffers(1, &renderbuffer);
     gl->BindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
     gl->BindFramebuffer(GL_FRAMEBUFFER, fixture->framebuffer);
@@ -126,7 +129,7 @@ static void call_everything(struct fixture *fixture, enum dpl_device device, boo
         disturb(fixture);                                                                                              \
     __VA_ARGS__;                                                                                                       \
     expect_state(fixture, text, framebuffer, viewport)
-    struct dpl_gl_options options = {state_get_function, NULL, NULL};
+    struct dpl_gl_options options = {.get_proc_address = state_get_function};
     const struct dpl_log *log = &fixture->log.log;
     const struct dpl_scene *scene = fixture->scene;
     CALL("dpl_gl_create", 0, NULL, fixture->guest = dpl_gl_create(&options, log));

@@ -14,6 +14,7 @@
     X(PFNGLATTACHSHADERPROC, AttachShader)                                                                             \
     X(PFNGLBEGINQUERYPROC, BeginQuery)                                                                                 \
     X(PFNGLBINDBUFFERPROC, BindBuffer)                                                                                 \
+    X(PFNGLBINDBUFFERBASEPROC, BindBufferBase)                                                                         \
     X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                                                                       \
     X(PFNGLBINDRENDERBUFFERPROC, BindRenderbuffer)                                                                     \
     X(PFNGLBINDTEXTUREPROC, BindTexture)                                                                               \
@@ -85,7 +86,9 @@ struct dpl_gl {
 #define GPU_MEMBER(type, name) type name;
     GPU_FUNCTIONS(GPU_MEMBER)
 #undef GPU_MEMBER
-    PFNGLPOLYGONMODEPROC PolygonMode; /* NULL in OpenGL ES */
+    PFNGLPOLYGONMODEPROC PolygonMode;         /* NULL in OpenGL ES */
+    PFNGLDISPATCHCOMPUTEPROC DispatchCompute; /* NULL where info.compute is false, as the next */
+    PFNGLMEMORYBARRIERPROC MemoryBarrier;
     struct dpl_gl_info info;
     const char *fallbacks[GPU_FALLBACKS_MAX + 1];
     char *shader_folder;           /* NULL: shaders are those built in */
