@@ -4,9 +4,9 @@
 
 #include <stdlib.h>
 
-extern const struct light_technique light_multi_sample;
+extern const struct light_technique light_coverage, light_multi_sample;
 
-const struct light_technique *const light_techniques[] = {&light_multi_sample, NULL};
+const struct light_technique *const light_techniques[] = {&light_multi_sample, &light_coverage, NULL};
 
 const char *light_technique_name(int i)
 {
