@@ -153,6 +153,8 @@ refuses 2 'is a folder' map -o "$scratch/folder.png"
 refuses 2 'accepted: .png, .exr, .pfm)' map -o a.mp4
 refuses 2 '--bits: only a .png' map -o a.exr --bits 16
 refuses 2 '--white: only a .png' map -o a.pfm --white 2
+refuses 2 '--slice: ' map -o a.pfm --slice -1
+refuses 2 'slice: out of range: "2" (accepted: 0 to 1)' map -o a.pfm --set caustics.slices=2 --slice 2
 refuses 2 'a video is one file' render -o a-%04d.mp4
 refuses 2 'even width and height' render -o a.mp4 --size 33x32
 refuses 2 'at most 50' render -o a.gif --fps 60
@@ -208,6 +210,9 @@ holds sheet.png
 works compare $compared --against multi-sample --technique multi-sample --device cpu -o sheet.exr --json
 json 'o["techniques"][0]["flip"] is None and o["techniques"][0]["error"] == 0 and o["techniques"][0]["gain"] == 1'
 holds sheet.exr
+# a technique that cannot serve the scene is a row with the reason
+works compare $compared --set caustics.ceiling=2 -o sheet.png && says 'multi-sample   not shown: ' && holds sheet.png
+works compare $compared --set caustics.ceiling=2 --json && json 'o["techniques"][0]["failure"]'
 # a reference that is too noisy to tell
 run 0 "$dapple" compare $compared --technique multi-sample --set reference.photons=1 --set collard.amplitude=0.01
 grep -q '^dapple: warning: reference: its noise of ' "$err" || fail 'no warning of a noisy reference'

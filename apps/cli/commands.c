@@ -37,7 +37,7 @@ const struct command commands[] = {
         .examples = {"map --map 2048 -o caustics.exr",
                      "map my-pool.ini --white 4 --bits 16 --frames 60 -o map-%04d.png"},
         .frames = "1",
-        .flags = FILE_FLAGS | FLAG_BIT(FLAG_WHITE) | FLAG_BIT(FLAG_SECONDS),
+        .flags = FILE_FLAGS | FLAG_BIT(FLAG_WHITE) | FLAG_BIT(FLAG_SECONDS) | FLAG_BIT(FLAG_SLICE),
         .run = command_map,
     },
     {

@@ -38,6 +38,8 @@ const struct flag flags[FLAG_COUNT] = {
                     RANGE(1e-6, 1e6, NULL), .initial = 1},
     [FLAG_SECONDS] = {"--seconds", NULL, "S", "time for a map of a technique that refines it (reference)",
                       .type = VALUE_NUMBER, TO(seconds), RANGE(0, 1e6, "s"), .default_text = "until it is finished"},
+    [FLAG_SLICE] = {"--slice", NULL, "K", "which of the maps of caustics.slices; 0 = the floor", .type = VALUE_WHOLE,
+                    TO(slice), RANGE(0, 63, NULL)},
     [FLAG_SHADERS] = {"--shaders", NULL, "DIR", "read shaders from this folder (the source's src/), not those built in",
                       .type = VALUE_TEXT, TO(shaders)},
     [FLAG_MARKDOWN] = {"--markdown", NULL, NULL, "params: as the reference page of the documentation",

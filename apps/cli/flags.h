@@ -19,6 +19,7 @@ enum flag_id {
     FLAG_BITS,
     FLAG_WHITE,
     FLAG_SECONDS,
+    FLAG_SLICE,
     FLAG_SHADERS,
     FLAG_MARKDOWN,
     FLAG_JSON,

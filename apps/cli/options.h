@@ -24,7 +24,8 @@ struct options {
     const char *output, *shaders; /* NULL: not given */
     const char *against;          /* name of a technique */
     double time, fps, white, seconds;
-    int frames;  /* 0: not given */
+    int frames; /* 0: not given */
+    int slice;
     int size[2]; /* width and height, pixels */
     int device;  /* enum dpl_device */
     int bits;    /* 0: 8, 1: 16 */

@@ -38,8 +38,14 @@ DPL_API struct dpl_image *dpl_renderer_surface(struct dpl_renderer *renderer, co
 
 /* The caustic map of the floor at `time` seconds, red green blue: irradiance in units of what flat water would give,
  * where the technique is a physical one; `multi-sample` is tuned by eye and gives a brightness from 0 to 1.
+ * Of `caustics.ceiling`, where that is set, in place of the floor's.
  * Returns NULL on failure; the caller destroys the image. */
 DPL_API struct dpl_image *dpl_renderer_map(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time);
+
+/* The same of one of the receivers that `caustics.slices` asks for: 0 is the floor, the next lie at even steps above
+ * it. An error where there is no such slice. */
+DPL_API struct dpl_image *dpl_renderer_slice(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time,
+                                             int slice);
 
 /* A technique that refines its map (struct dpl_entry) calls `step` after each step of it, with the share that is done,
  * 0 to 1; where that returns false the map is taken as it is, and a later call of the same scene and time goes on from

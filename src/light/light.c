@@ -4,9 +4,9 @@
 
 #include <stdlib.h>
 
-extern const struct light_technique light_multi_sample, light_reference;
+extern const struct light_technique light_coverage, light_multi_sample, light_reference;
 
-const struct light_technique *const light_techniques[] = {&light_multi_sample, &light_reference, NULL};
+const struct light_technique *const light_techniques[] = {&light_multi_sample, &light_coverage, &light_reference, NULL};
 
 const char *light_technique_name(int i)
 {
@@ -46,6 +46,16 @@ bool light_map_resize(struct light_map *map, int side, int channels, int slices,
 float *light_map_slice(const struct light_map *map, int slice)
 {
     return map->texels + (size_t)slice * (size_t)map->side * (size_t)map->side * (size_t)map->channels;
+}
+
+struct dpl_image *light_map_image(const struct light_map *map, int slice, const struct dpl_log *log)
+{
+    const float *texels = light_map_slice(map, slice);
+    struct dpl_image *image = dpl_image_create(map->side, map->side, log);
+    for (size_t i = 0; image && i < (size_t)map->side * (size_t)map->side; i++)
+        for (size_t c = 0; c < 3; c++)
+            image->pixels[i * 3 + c] = texels[map->channels == 1 ? i : i * 3 + c];
+    return image;
 }
 
 void light_map_finish(struct light_map *map)

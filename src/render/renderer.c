@@ -3,6 +3,7 @@
 
 #include "base/log.h"
 #include "light/blur.h"
+#include "light/map_texture.h"
 #include "render/camera.h"
 #include "render/look_collard.h"
 #include "render/sand.h"
@@ -26,7 +27,7 @@ struct dpl_renderer {
     struct light_progress progress;
     struct light_map map;
     struct gpu_texture map_texture, blurred_texture;
-    const struct gpu_texture *shown_map; /* whichever of the two is finished */
+    struct gpu_texture *shown_map; /* whichever of the two is finished */
     struct light_blur blur;
 
     struct sand sand;
@@ -167,17 +168,14 @@ static bool trace_light(struct dpl_renderer *renderer, const struct dpl_scene *s
     return blur_map(&renderer->blur, &renderer->map, scene->caustics.blur, renderer->log);
 }
 
-/* The format of a map texture: floats as the CPU makes them, halves as the GPU does. Smaller levels, which keep far
- * floor from flickering, need a device that draws to such formats. */
-static void resize_map_texture(struct dpl_renderer *renderer, struct gpu_texture *texture, int side, int channels,
-                               bool uploaded, bool finished)
+static void resize_map_texture(struct dpl_renderer *renderer, struct gpu_texture *texture,
+                               const struct dpl_scene *scene, enum map_origin origin, bool finished)
 {
-    const struct dpl_gl_info *info = &renderer->gl->info;
-    GLenum drawn = channels == 1 ? GL_R16F : GL_RGBA16F;
-    GLenum half = channels == 1 ? GL_R16F : GL_RGB16F, full = channels == 1 ? GL_R32F : GL_RGB32F;
-    GLenum format = !uploaded ? drawn : info->es ? half : full;
-    bool levels = finished && info->float_render && !(info->es && format == GL_RGB16F);
-    texture_resize(renderer->gl, texture, format, side, side, TEXTURE_CLAMP, levels ? TEXTURE_MIPMAP : TEXTURE_LINEAR);
+    const struct light_technique *technique = light_techniques[scene->caustics.technique];
+    bool periodic = technique->physical && water_models[scene->medium.model]->periodic;
+    double receivers[LIGHT_SLICES_MAX];
+    map_texture_resize(renderer->gl, texture, scene->caustics.map, technique->channels,
+                       scene_receivers(scene, receivers), origin, finished, periodic);
 }
 
 static bool draw_light(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time)
@@ -185,22 +183,31 @@ static bool draw_light(struct dpl_renderer *renderer, const struct dpl_scene *sc
     const struct light_technique *technique = light_techniques[scene->caustics.technique];
     void *state = technique_state(renderer, scene->caustics.technique);
     struct light_input input = light_input(renderer, scene, time);
-    int side = scene->caustics.map;
     renderer->map.noise = 0;
     if (!state)
         return false;
     timer_pass(&renderer->timer, "light");
-    resize_map_texture(renderer, &renderer->map_texture, side, technique->channels, false, scene->caustics.blur == 0);
+    resize_map_texture(renderer, &renderer->map_texture, scene, MAP_DRAWN, scene->caustics.blur == 0);
     renderer->shown_map = &renderer->map_texture;
     if (!technique->draw(state, renderer->gl, &input, &renderer->map_texture))
         return false;
     if (scene->caustics.blur == 0)
         return true;
     timer_pass(&renderer->timer, "blur");
-    resize_map_texture(renderer, &renderer->blurred_texture, side, technique->channels, false, true);
+    resize_map_texture(renderer, &renderer->blurred_texture, scene, MAP_DRAWN, true);
     renderer->shown_map = &renderer->blurred_texture;
     return blur_draw(&renderer->blur, renderer->gl, &renderer->map_texture, scene->caustics.blur,
                      &renderer->blurred_texture);
+}
+
+static bool check_scene(const struct dpl_renderer *renderer, const struct dpl_scene *scene)
+{
+    const struct light_technique *technique = light_techniques[scene->caustics.technique];
+    if (scene->caustics.ceiling > 0 && !technique->reflects)
+        return base_fail(renderer->log, DPL_REASON_UNSUPPORTED,
+                         "caustics.ceiling: %s maps no reflected light: \"%g\" (accepted: 0)", technique->name,
+                         scene->caustics.ceiling);
+    return check_side(renderer, "caustics.map", scene->caustics.map);
 }
 
 /* Surface and light. `textures`: the GPU needs both, to draw a picture with. */
@@ -208,14 +215,13 @@ static bool make_light(struct dpl_renderer *renderer, const struct dpl_scene *sc
 {
     const struct light_technique *technique = light_techniques[scene->caustics.technique];
     bool on_cpu = light_on_cpu(renderer, technique);
-    if (!check_side(renderer, "caustics.map", scene->caustics.map) ||
-        !make_surface(renderer, scene, time, on_cpu, textures || !on_cpu))
+    if (!check_scene(renderer, scene) || !make_surface(renderer, scene, time, on_cpu, textures || !on_cpu))
         return false;
     if (on_cpu ? !trace_light(renderer, scene, time) : !draw_light(renderer, scene, time))
         return false;
     if (textures && on_cpu) {
         timer_pass(&renderer->timer, "upload");
-        resize_map_texture(renderer, &renderer->map_texture, renderer->map.side, renderer->map.channels, true, true);
+        resize_map_texture(renderer, &renderer->map_texture, scene, MAP_UPLOADED, true);
         texture_upload(renderer->gl, &renderer->map_texture, renderer->map.texels);
         renderer->shown_map = &renderer->map_texture;
     }
@@ -263,48 +269,29 @@ struct dpl_image *dpl_renderer_surface(struct dpl_renderer *renderer, const stru
     return image;
 }
 
-/* The finished map as an image of three channels. */
-static struct dpl_image *map_image(struct dpl_renderer *renderer, int channels)
+struct dpl_image *dpl_renderer_slice(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time,
+                                     int slice)
 {
-    const struct light_map *map = &renderer->map;
-    struct dpl_image *image = dpl_image_create(map->side, map->side, renderer->log);
-    for (size_t i = 0; image && i < (size_t)map->side * (size_t)map->side; i++)
-        for (size_t c = 0; c < 3; c++)
-            image->pixels[i * 3 + c] = map->texels[channels == 1 ? i : i * 3 + c];
-    return image;
-}
-
-static struct dpl_image *read_map(struct dpl_renderer *renderer, int channels)
-{
-    struct dpl_gl *gl = renderer->gl;
-    int side = renderer->shown_map->width;
-    struct dpl_image *image = dpl_image_create(side, side, renderer->log);
-    float *texels = image ? base_allocate(renderer->log, (size_t)side * (size_t)side * 4, sizeof *texels, "map") : NULL;
-    if (!texels) {
-        dpl_image_destroy(image);
+    int slices = scene_receivers(scene, renderer->receivers);
+    if (slice < 0 || slice >= slices) {
+        base_fail(renderer->log, DPL_REASON_RANGE, "slice: out of range: \"%d\" (accepted: 0 to %d)", slice,
+                  slices - 1);
         return NULL;
     }
-    gl->BindFramebuffer(GL_FRAMEBUFFER, renderer->shown_map->framebuffer);
-    gl->ReadPixels(0, 0, side, side, GL_RGBA, GL_FLOAT, texels);
-    for (size_t i = 0; i < (size_t)side * (size_t)side; i++)
-        for (size_t c = 0; c < 3; c++)
-            image->pixels[i * 3 + c] = texels[i * 4 + (channels == 1 ? 0 : c)];
-    free(texels);
-    return image;
-}
-
-struct dpl_image *dpl_renderer_map(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time)
-{
-    const struct light_technique *technique = light_techniques[scene->caustics.technique];
     timer_frame(&renderer->timer);
     bool ok = make_light(renderer, scene, time, false);
     timer_pass(&renderer->timer, NULL);
     struct dpl_image *image = NULL;
-    if (ok && light_on_cpu(renderer, technique))
-        image = map_image(renderer, technique->channels);
+    if (ok && light_on_cpu(renderer, light_techniques[scene->caustics.technique]))
+        image = light_map_image(&renderer->map, slice, renderer->log);
     else if (ok)
-        image = read_map(renderer, technique->channels);
+        image = map_texture_read(renderer->gl, renderer->shown_map, slice);
     return leave_with_image(renderer, image);
+}
+
+struct dpl_image *dpl_renderer_map(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time)
+{
+    return dpl_renderer_slice(renderer, scene, time, 0);
 }
 
 /* Surface, light and look into the renderer's own target. */
@@ -322,7 +309,6 @@ static bool draw_frame(struct dpl_renderer *renderer, const struct dpl_scene *sc
         .scene = scene,
         .surface = &renderer->surface_gpu,
         .map = renderer->shown_map,
-        .map_channels = light_techniques[scene->caustics.technique]->channels,
         .sand = &renderer->sand.color,
         .timer = &renderer->timer,
     };

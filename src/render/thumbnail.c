@@ -1,5 +1,7 @@
 #include "render/thumbnail.h"
 
+#include "light/map_texture.h"
+
 #define SIDE 256 /* texels */
 
 static const char *const names[THUMBNAILS] = {"normals", "caustic map"};
@@ -14,9 +16,7 @@ struct dpl_thumbnail thumbnails_draw(struct dpl_gl *gl, struct thumbnails *thumb
     texture_draw_to(gl, texture);
     program_use(gl, &thumbnails->program);
     surface_gpu_bind(gl, surface, &thumbnails->program, 0);
-    texture_bind(gl, map, 1);
-    program_int(gl, &thumbnails->program, "light_texels", 1);
-    program_int(gl, &thumbnails->program, "light_channels", map->format == GL_R16F || map->format == GL_R32F ? 1 : 3);
+    map_texture_bind(gl, map, &thumbnails->program, 1);
     program_int(gl, &thumbnails->program, "subject", index);
     gpu_draw_screen(gl);
     return (struct dpl_thumbnail){names[index], texture->name, SIDE, SIDE};
