@@ -381,6 +381,28 @@ static void bounded_water_has_edges(void **state)
                                 : fabs((double)fixture->map[3 * i] - 1) < 0.18 || i % 16 == 11);
 }
 
+/* Water that stands lower than its receiver, as a trough below the floor does: what it gets is straight above. */
+static void sample_low(const struct water_setup *setup, double time, struct water_points *points)
+{
+    sample_flat(setup, time, points);
+    for (int i = 0; i < points->count; i++)
+        points->height[i] = -0.5;
+}
+
+static void water_beyond_its_receiver_lights_it_straight(void **state)
+{
+    static const struct water_model low = {.name = "low", .sample = sample_low};
+    struct fixture *fixture = *state;
+    fixture->task.model = &low;
+    fixture->sun = (struct optics_sun){45, 20, 0};
+    fixture->medium = (struct water_medium){.ior = 1.333};
+    fixture->receivers[0] = -0.3;
+    trace(fixture, 3);
+    photons_read(&fixture->photons, 0, fixture->map);
+    for (int i = 0; i < 256 * 3; i++)
+        assert_true(fabs((double)fixture->map[i] - 1) < 1e-5); /* parts of a photon */
+}
+
 /* Steep water through the floor and through the ceiling, sun at the horizon, all absorption: no sum breaks. */
 static void nothing_is_ever_infinite(void **state)
 {
@@ -413,6 +435,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(blue_is_bent_more_than_red, setup, teardown),
         cmocka_unit_test_setup_teardown(water_that_slides_stays_flat, setup, teardown),
         cmocka_unit_test_setup_teardown(bounded_water_has_edges, setup, teardown),
+        cmocka_unit_test_setup_teardown(water_beyond_its_receiver_lights_it_straight, setup, teardown),
         cmocka_unit_test_setup_teardown(nothing_is_ever_infinite, setup, teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
