@@ -21,20 +21,23 @@ const struct command commands[] = {
                 ".webm or .gif (a video, through ffmpeg). Needs OpenGL, but no display.\n",
         .examples = {"render collard-3 --time 2.5 -o water.png", "render --frames 120 --size 1920x1080 -o water.mp4"},
         .frames = "1; of a video scene.loop x fps, or 120 where the scene does not loop",
-        .flags = FILE_FLAGS | FLAG_BIT(FLAG_SIZE),
+        .flags = FILE_FLAGS | FLAG_BIT(FLAG_SIZE) | FLAG_BIT(FLAG_SECONDS),
         .run = command_render,
     },
     {
         .name = "map",
         .operand = "[SCENE]",
         .help = "the caustic map of the floor",
-        .more = "OUT ends in .png (clamped), .exr or .pfm (linear, unclamped). From a physical "
-                "technique 1 is the light under flat water; multi-sample gives a brightness from 0 to 1. --white "
-                "brightens a dim .png.\n",
+        .more =
+            "OUT ends in .png (clamped), .exr or .pfm (linear, unclamped). From a physical "
+            "technique 1 is the light under flat water; multi-sample gives a brightness from 0 to 1. --white "
+            "brightens a dim .png.\n"
+            "The technique reference is the ground truth, photon by photon: what chance adds to it is printed as\n"
+            "noise, a share of the map; --set reference.file=NAME keeps the photons for a later run to go on from.\n",
         .examples = {"map --map 2048 -o caustics.exr",
                      "map my-pool.ini --white 4 --bits 16 --frames 60 -o map-%04d.png"},
         .frames = "1",
-        .flags = FILE_FLAGS | FLAG_BIT(FLAG_WHITE),
+        .flags = FILE_FLAGS | FLAG_BIT(FLAG_WHITE) | FLAG_BIT(FLAG_SECONDS),
         .run = command_map,
     },
     {

@@ -34,6 +34,8 @@ const struct flag flags[FLAG_COUNT] = {
                    .choices = {"8", "16"}},
     [FLAG_WHITE] = {"--white", NULL, "V", "value of the map that is white in a .png", .type = VALUE_NUMBER, TO(white),
                     RANGE(1e-6, 1e6, NULL), .initial = 1},
+    [FLAG_SECONDS] = {"--seconds", NULL, "S", "time for a map of a technique that refines it (reference)",
+                      .type = VALUE_NUMBER, TO(seconds), RANGE(0, 1e6, "s"), .default_text = "until it is finished"},
     [FLAG_SHADERS] = {"--shaders", NULL, "DIR", "read shaders from this folder (the source's src/), not those built in",
                       .type = VALUE_TEXT, TO(shaders)},
     [FLAG_MARKDOWN] = {"--markdown", NULL, NULL, "params: as the reference page of the documentation",

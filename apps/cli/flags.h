@@ -17,6 +17,7 @@ enum flag_id {
     FLAG_DEVICE,
     FLAG_BITS,
     FLAG_WHITE,
+    FLAG_SECONDS,
     FLAG_SHADERS,
     FLAG_MARKDOWN,
     FLAG_JSON,

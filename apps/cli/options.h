@@ -21,7 +21,7 @@ struct options {
     struct setting *settings;
     int setting_count;
     const char *output, *shaders; /* NULL: not given */
-    double time, fps, white;
+    double time, fps, white, seconds;
     int frames;  /* 0: not given */
     int size[2]; /* width and height, pixels */
     int device;  /* enum dpl_device */

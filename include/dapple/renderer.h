@@ -41,6 +41,14 @@ DPL_API struct dpl_image *dpl_renderer_surface(struct dpl_renderer *renderer, co
  * Returns NULL on failure; the caller destroys the image. */
 DPL_API struct dpl_image *dpl_renderer_map(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time);
 
+/* A technique that refines its map (struct dpl_entry) calls `step` after each step of it, with the share that is done,
+ * 0 to 1; where that returns false the map is taken as it is, and a later call of the same scene and time goes on from
+ * there. NULL: every map is finished. */
+DPL_API void dpl_renderer_progress(struct dpl_renderer *renderer, bool (*step)(void *user, double done), void *user);
+
+/* What chance adds to the last map, as a share of the map: RMS against RMS. 0: nothing, or not known. */
+DPL_API double dpl_renderer_noise(const struct dpl_renderer *renderer);
+
 /* Draws the scene into a framebuffer of the caller's context (0: the window), over its whole width × height.
  * DPL_NO_FRAMEBUFFER draws it into nothing that can be seen and waits until the device is done: for benchmarks. */
 #define DPL_NO_FRAMEBUFFER (~0u)

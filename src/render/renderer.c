@@ -23,6 +23,7 @@ struct dpl_renderer {
     struct surface_gpu surface_gpu;
 
     void *technique_states[SCENE_TECHNIQUES_MAX]; /* made when first used */
+    struct light_progress progress;
     struct light_map map;
     struct gpu_texture map_texture, blurred_texture;
     const struct gpu_texture *shown_map; /* whichever of the two is finished */
@@ -141,6 +142,7 @@ static struct light_input light_input(struct dpl_renderer *renderer, const struc
         .sun = &scene->sun,
         .medium = &scene->medium,
         .settings = &scene->caustics,
+        .progress = renderer->progress,
         .params = scene->technique_params[scene->caustics.technique],
         .log = renderer->log,
     };
@@ -184,6 +186,7 @@ static bool draw_light(struct dpl_renderer *renderer, const struct dpl_scene *sc
     void *state = technique_state(renderer, scene->caustics.technique);
     struct light_input input = light_input(renderer, scene, time);
     int side = scene->caustics.map;
+    renderer->map.noise = 0;
     if (!state)
         return false;
     timer_pass(&renderer->timer, "light");
@@ -365,6 +368,16 @@ struct dpl_image *dpl_renderer_picture(struct dpl_renderer *renderer, const stru
     bool ok = draw_frame(renderer, scene, time, width, height);
     timer_pass(&renderer->timer, NULL);
     return leave_with_image(renderer, ok ? read_picture(renderer) : NULL);
+}
+
+void dpl_renderer_progress(struct dpl_renderer *renderer, bool (*step)(void *user, double done), void *user)
+{
+    renderer->progress = (struct light_progress){step, user};
+}
+
+double dpl_renderer_noise(const struct dpl_renderer *renderer)
+{
+    return renderer->map.noise;
 }
 
 void dpl_renderer_reload(struct dpl_renderer *renderer)
