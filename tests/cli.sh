@@ -74,7 +74,7 @@ probe() {
 works && says 'usage: dapple COMMAND'
 works --help && says 'examples:'
 works --version && says 'dapple '
-for command in render map surface bench view list info help; do
+for command in render map surface compare bench view list info help; do
     works help $command && says "usage: dapple $command" && says 'examples:' && says --help
     cp "$out" "$scratch/help"
     works $command --help
@@ -153,6 +153,8 @@ refuses 2 'is a folder' map -o "$scratch/folder.png"
 refuses 2 'accepted: .png, .exr, .pfm)' map -o a.mp4
 refuses 2 '--bits: only a .png' map -o a.exr --bits 16
 refuses 2 '--white: only a .png' map -o a.pfm --white 2
+refuses 2 '--slice: ' map -o a.pfm --slice -1
+refuses 2 'slice: out of range: "2" (accepted: 0 to 1)' map -o a.pfm --set caustics.slices=2 --slice 2
 refuses 2 'a video is one file' render -o a-%04d.mp4
 refuses 2 'even width and height' render -o a.mp4 --size 33x32
 refuses 2 'at most 50' render -o a.gif --fps 60
@@ -190,6 +192,39 @@ line.png'
 works render -o "$name" --size 16x16 $small --json && json 'o["output"] == "quote\" \\ and\nline.png"' && holds "$name"
 works map -o "$(printf 'byte-\377.png')" $small --json && json 'o["output"] == "byte-\ufffd.png"'
 rm -rf ./*
+
+# --- compare ---
+compared="--map 32 --size 64x36 --set reference.photons=16"
+for command in "compare" "compare --technique multi-sample" "compare --against multi-sample --technique reference"; do
+    works $command $compared && says 'technique       error %    p99 %   energy     gain     FLIP        ms'
+    grep -Eq '^(multi-sample|reference) +[0-9.]+ ' "$out" || fail "$command: no row"
+done
+works compare $compared --technique multi-sample --technique reference --json -o sheet.png
+json '[t["technique"] for t in o["techniques"]] == ["multi-sample", "reference"] and o["against"] == "reference"'
+json 'o["noise"] > 0 and o["map"] == 32 and o["output"] == "sheet.png" and o["device"]'
+json 'all(t["failure"] is None and t["energy"] > 0 and t["ms"] > 0 for t in o["techniques"])'
+json 'o["techniques"][0]["error"] > 0.01 and 0 < o["techniques"][0]["flip"] < 1 and not o["techniques"][0]["physical"]'
+json 'o["techniques"][1]["error"] == o["techniques"][1]["p99"] == o["techniques"][1]["flip"] == 0'
+json 'o["techniques"][1]["energy"] == o["techniques"][1]["gain"] == 1'
+holds sheet.png
+works compare $compared --against multi-sample --technique multi-sample --device cpu -o sheet.exr --json
+json 'o["techniques"][0]["flip"] is None and o["techniques"][0]["error"] == 0 and o["techniques"][0]["gain"] == 1'
+holds sheet.exr
+# a technique that cannot serve the scene is a row with the reason
+works compare $compared --set caustics.ceiling=2 -o sheet.png && says 'multi-sample   not shown: ' && holds sheet.png
+works compare $compared --set caustics.ceiling=2 --json && json 'o["techniques"][0]["failure"]'
+# a reference that is too noisy to tell
+run 0 "$dapple" compare $compared --technique multi-sample --set reference.photons=1 --set collard.amplitude=0.01
+grep -q '^dapple: warning: reference: its noise of ' "$err" || fail 'no warning of a noisy reference'
+works compare --seconds 0.1 $compared --map 64 --set reference.photons=100000 --set reference.noise=0
+refuses 2 '--against: no such technique: "magic" (accepted: multi-sample' compare --against magic -o sheet.png
+refuses 2 'caustics.technique: no such choice: "magic"' compare --technique multi-sample --technique magic -o sheet.png
+refuses 2 'accepted: .png, .exr, .pfm' compare -o sheet.jpg
+refuses 2 'cannot be written' compare -o missing/sheet.png
+refuses 2 '--seconds: ' compare --seconds -1 -o sheet.png
+refuses 2 'unknown flag: "--frames' compare --frames 2
+refuses 2 'one word too many' compare rings collard-2
+run 0 $no_gl "$dapple" compare $compared --technique multi-sample --json && json 'o["techniques"][0]["flip"] is None'
 
 # --- videos ---
 if command -v ffmpeg >/dev/null && command -v ffprobe >/dev/null; then

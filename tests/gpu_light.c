@@ -122,6 +122,53 @@ static void maps_of_any_side_are_those_of_the_cpu_in_es(void **state)
     check_sides(true);
 }
 
+/* Every receiver has a layer of its own, blurred or not. */
+static void check_slices(bool es)
+{
+    struct fixture fixture;
+    start(&fixture, es);
+    support_set(fixture.scene, "wave.1.cycles", "2 1");
+    support_set(fixture.scene, "wave.1.amplitude", "0.03");
+    support_set(fixture.scene, "caustics.map", "40");
+    support_set(fixture.scene, "caustics.slices", "5");
+    for (int blur = 0; blur <= 2; blur += 2) {
+        support_set(fixture.scene, "caustics.blur", "%d", blur);
+        for (int slice = 0; slice < 5; slice++) {
+            struct dpl_image *gpu = dpl_renderer_slice(fixture.on_gpu, fixture.scene, 1, slice);
+            assert_true(difference(gpu, dpl_renderer_slice(fixture.on_cpu, fixture.scene, 1, slice)) <= 1.0 / 255);
+            if (slice > 0) /* not the floor's again */
+                assert_true(difference(dpl_renderer_slice(fixture.on_gpu, fixture.scene, 1, slice),
+                                       dpl_renderer_map(fixture.on_gpu, fixture.scene, 1)) > 2.0 / 255);
+        }
+    }
+    for (int wrong = -1; wrong <= 5; wrong += 6) {
+        assert_null(dpl_renderer_slice(fixture.on_gpu, fixture.scene, 1, wrong));
+        EXPECT_ERROR(&fixture.log, DPL_REASON_RANGE, "slice", "0 to 4");
+    }
+    finish(&fixture);
+}
+
+static void slices_are_those_of_the_cpu(void **state)
+{
+    (void)state;
+    check_slices(false);
+    check_slices(true);
+}
+
+static void a_ceiling_needs_a_technique_that_reflects(void **state)
+{
+    struct fixture fixture;
+    (void)state;
+    start(&fixture, false);
+    support_set(fixture.scene, "caustics.technique", "multi-sample");
+    support_set(fixture.scene, "caustics.ceiling", "2");
+    assert_null(dpl_renderer_map(fixture.on_gpu, fixture.scene, 1));
+    EXPECT_ERROR(&fixture.log, DPL_REASON_UNSUPPORTED, "caustics.ceiling", "multi-sample", "\"2\"");
+    assert_null(dpl_renderer_map(fixture.on_cpu, fixture.scene, 1));
+    EXPECT_ERROR(&fixture.log, DPL_REASON_UNSUPPORTED, "caustics.ceiling");
+    finish(&fixture);
+}
+
 /* 64 waves of up to 40 cycles: their angles reach 250 radians, of which single precision keeps 1.5e-5; a slope is that
  * much of k times the height. */
 static void check_surface(bool es)
@@ -217,6 +264,8 @@ int main(void)
         cmocka_unit_test(maps_are_those_of_the_cpu_in_es),
         cmocka_unit_test(maps_of_any_side_are_those_of_the_cpu),
         cmocka_unit_test(maps_of_any_side_are_those_of_the_cpu_in_es),
+        cmocka_unit_test(slices_are_those_of_the_cpu),
+        cmocka_unit_test(a_ceiling_needs_a_technique_that_reflects),
         cmocka_unit_test(sines_are_those_of_the_cpu),
         cmocka_unit_test(sines_are_those_of_the_cpu_in_es),
         cmocka_unit_test(uploaded_surfaces_are_those_of_the_cpu),

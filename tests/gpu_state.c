@@ -8,7 +8,7 @@ struct fixture {
     struct dpl_gl *guest; /* a second one in that same context, as a caller's would be */
     struct dpl_renderer *renderer;
     struct dpl_scene *scene;
-    GLuint texture, beyond, framebuffer; /* the caller's own */
+    GLuint texture, array, beyond, framebuffer; /* the caller's own */
     struct state_text initial;
 };
 
@@ -34,6 +34,7 @@ static void make_own(struct fixture *fixture)
     gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, fixture->texture, 0);
     gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
     gl->BindTexture(GL_TEXTURE_2D, 0);
+    gl->GenTextures(1, &fixture->array);
     gl->ActiveTexture(GL_TEXTURE9);
     fixture->beyond = make_texture(gl);
     gl->ActiveTexture(GL_TEXTURE0);
@@ -48,7 +49,7 @@ static void start(struct fixture *fixture, bool es)
     state_load(&fixture->gl);
     make_own(fixture);
     fixture->scene = support_scene("[wave.1]\ncycles = 2 1\namplitude = 0.03\n[caustics]\nmap = 64\nmesh = 40\n"
-                                   "blur = 1\n[render]\nsamples = 4\nwireframe = yes\n",
+                                   "blur = 1\nslices = 2\n[render]\nsamples = 4\nwireframe = yes\n",
                                    log);
 }
 
@@ -70,12 +71,16 @@ static void disturb(struct fixture *fixture)
     gl->GenBuffers(1, &buffer);
     gl->BindBuffer(GL_ARRAY_BUFFER, buffer);
     gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
+    for (GLuint index = 0; index < 2; index++)
+        gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, index, buffer);
+    gl->GetError(); /* before OpenGL 4.3 and OpenGL ES 3.1 there are no such buffers */
     gl->GenRenderbuffers(1, &renderbuffer);
     gl->BindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
     gl->BindFramebuffer(GL_FRAMEBUFFER, fixture->framebuffer);
     for (GLenum unit = 0; unit < 8; unit++) {
         gl->ActiveTexture(GL_TEXTURE0 + unit);
         gl->BindTexture(GL_TEXTURE_2D, fixture->texture);
+        gl->BindTexture(GL_TEXTURE_2D_ARRAY, fixture->array);
     }
     gl->ActiveTexture(GL_TEXTURE9);
     gl->Viewport(3, 4, 5, 6);
@@ -86,7 +91,8 @@ static void disturb(struct fixture *fixture)
 
 static bool may_be_anything(const char *line)
 {
-    static const char *const names[] = {"VIEWPORT", "COLOR_CLEAR_VALUE", "BLEND_SRC_", "BLEND_DST_", NULL};
+    static const char *const names[] = {"VIEWPORT",   "SCISSOR_BOX", "COLOR_CLEAR_VALUE",
+                                        "BLEND_SRC_", "BLEND_DST_",  NULL};
     for (int i = 0; names[i]; i++)
         if (!strncmp(line, names[i], strlen(names[i])))
             return true;
@@ -124,7 +130,7 @@ static void call_everything(struct fixture *fixture, enum dpl_device device, boo
         disturb(fixture);                                                                                              \
     __VA_ARGS__;                                                                                                       \
     expect_state(fixture, text, framebuffer, viewport)
-    struct dpl_gl_options options = {state_get_function, NULL, NULL};
+    struct dpl_gl_options options = {.get_proc_address = state_get_function};
     const struct dpl_log *log = &fixture->log.log;
     const struct dpl_scene *scene = fixture->scene;
     CALL("dpl_gl_create", 0, NULL, fixture->guest = dpl_gl_create(&options, log));

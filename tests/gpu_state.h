@@ -11,6 +11,7 @@
 #define STATE_FUNCTIONS(X)                                                                                             \
     X(PFNGLACTIVETEXTUREPROC, ActiveTexture)                                                                           \
     X(PFNGLBINDBUFFERPROC, BindBuffer)                                                                                 \
+    X(PFNGLBINDBUFFERBASEPROC, BindBufferBase)                                                                         \
     X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                                                                       \
     X(PFNGLBINDRENDERBUFFERPROC, BindRenderbuffer)                                                                     \
     X(PFNGLBINDTEXTUREPROC, BindTexture)                                                                               \
@@ -27,6 +28,7 @@
     X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                                                                       \
     X(PFNGLGETERRORPROC, GetError)                                                                                     \
     X(PFNGLGETFLOATVPROC, GetFloatv)                                                                                   \
+    X(PFNGLGETINTEGERI_VPROC, GetIntegeri_v)                                                                           \
     X(PFNGLGETQUERYIVPROC, GetQueryiv)                                                                                 \
     X(PFNGLGETTEXPARAMETERIVPROC, GetTexParameteriv)                                                                   \
     X(PFNGLGETVERTEXATTRIBIVPROC, GetVertexAttribiv)                                                                   \
@@ -92,6 +94,8 @@ static const struct state_value state_values[] = {
     STATE_VALUE(COPY_READ_BUFFER_BINDING, 1),
     STATE_VALUE(COPY_WRITE_BUFFER_BINDING, 1),
     STATE_VALUE(TRANSFORM_FEEDBACK_BUFFER_BINDING, 1),
+    STATE_VALUE(SHADER_STORAGE_BUFFER_BINDING, 1),
+    STATE_VALUE(DISPATCH_INDIRECT_BUFFER_BINDING, 1),
     STATE_VALUE(DRAW_FRAMEBUFFER_BINDING, 1),
     STATE_VALUE(READ_FRAMEBUFFER_BINDING, 1),
     STATE_VALUE(RENDERBUFFER_BINDING, 1),
@@ -213,6 +217,12 @@ static inline void state_dump(struct state_gl *gl, struct state_text *text)
             state_add(gl, text, state_unit_values + i, unit);
     }
     gl->ActiveTexture((GLenum)active);
+    for (GLuint index = 0; index < 4; index++) {
+        GLint buffer = 0;
+        gl->GetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, index, &buffer);
+        if (gl->GetError() == GL_NO_ERROR)
+            snprintf(text->lines[text->count++], sizeof text->lines[0], "storage buffer %u = %d", index, buffer);
+    }
     GLint query = 0;
     gl->GetQueryiv(GL_TIME_ELAPSED, GL_CURRENT_QUERY, &query);
     if (gl->GetError() == GL_NO_ERROR)

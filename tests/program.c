@@ -13,7 +13,7 @@ struct fixture {
     char folder[64]; /* with subfolders gpu, light, … as the repository's src/ */
 };
 
-static const char *const subfolders[] = {"gpu", "light", "render", "water", NULL};
+static const char *const subfolders[] = {"gpu", "light", "optics", "render", "water", NULL};
 
 static void write_shader(const struct fixture *fixture, const char *name, const char *text)
 {
@@ -68,7 +68,7 @@ static int count(const char *text, const char *part)
 /* The text of a fragment stage from the fixture's folder; the caller frees it. */
 static char *source(struct fixture *fixture, const char *name, enum program_dialect dialect)
 {
-    return program_source(name, fixture->folder, dialect, true, "#define STEPS 3\n", &fixture->log.log);
+    return program_source(name, fixture->folder, dialect, PROGRAM_FRAGMENT, "#define STEPS 3\n", &fixture->log.log);
 }
 
 static void every_built_in_shader_is_found_and_has_its_dialect(void **state)
@@ -76,13 +76,15 @@ static void every_built_in_shader_is_found_and_has_its_dialect(void **state)
     struct fixture *fixture = *state;
     int shaders = 0;
     for (const struct base_resource *resource = base_resources; resource->path; resource++, shaders++) {
-        for (int kind = 0; kind < 4; kind++) {
-            enum program_dialect dialect = kind % 2 ? PROGRAM_ES30 : PROGRAM_GL33;
-            char *text = program_source(resource->path, NULL, dialect, kind / 2, "", &fixture->log.log);
-            const char *version = kind % 2 ? "#version 300 es\n" : "#version 330 core\n";
+        for (int kind = 0; kind < 12; kind++) {
+            static const char *const versions[] = {"#version 330 core\n", "#version 300 es\n", "#version 430 core\n",
+                                                   "#version 310 es\n"};
+            static const char *const defines[] = {"#define VERTEX\n", "#define FRAGMENT\n", "#define COMPUTE\n"};
+            char *text = program_source(resource->path, NULL, (enum program_dialect)(kind % 4),
+                                        (enum program_stage)(kind / 4), "", &fixture->log.log);
             assert_non_null(text);
-            assert_int_equal(strncmp(text, version, strlen(version)), 0);
-            assert_non_null(strstr(text, kind / 2 ? "#define FRAGMENT\n" : "#define VERTEX\n"));
+            assert_int_equal(strncmp(text, versions[kind % 4], strlen(versions[kind % 4])), 0);
+            assert_non_null(strstr(text, defines[kind / 4]));
             assert_int_equal(count(text, "#version"), 1);
             assert_null(strstr(text, "#include"));
             assert_true((strstr(text, "precision highp float;") != NULL) == (kind % 2));
@@ -119,7 +121,7 @@ static void a_missing_file_is_named(void **state)
     snprintf(path, sizeof path, "%s/gpu/no.glsl", fixture->folder);
     assert_null(source(fixture, "a.glsl", PROGRAM_GL33));
     EXPECT_ERROR(&fixture->log, DPL_REASON_FILE_READ, path);
-    assert_null(program_source("gpu/no.glsl", NULL, PROGRAM_GL33, true, "", &fixture->log.log));
+    assert_null(program_source("gpu/no.glsl", NULL, PROGRAM_GL33, PROGRAM_FRAGMENT, "", &fixture->log.log));
     EXPECT_ERROR(&fixture->log, DPL_REASON_SHADER, "gpu/no.glsl");
 }
 

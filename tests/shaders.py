@@ -10,7 +10,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-STAGES = {"vertex": "vert", "fragment": "frag"}
+DRAWING = {"vertex": "vert", "fragment": "frag"}
+COMPUTING = {"compute": "comp"}
 
 
 def top_level(source: Path) -> list[str]:
@@ -19,18 +20,25 @@ def top_level(source: Path) -> list[str]:
     return [name for name in texts if name not in included]
 
 
-def validate(program: str, shader: str, dialect: str, folder: list[str]) -> str:
+def kinds(text: str) -> list[tuple[str, dict[str, str]]]:
+    """Dialects and stages that a shader is for. What needs storage buffers is only for the newer dialects."""
+    stages = COMPUTING if "local_size_x" in text else DRAWING
+    older = [] if "std430" in text else ["gl33", "es30"]
+    return [(dialect, stages) for dialect in [*older, "gl43", "es31"]]
+
+
+def validate(program: str, shader: str, dialect: str, stages: dict[str, str], folder: list[str]) -> str:
     """What is wrong with the shader; empty where nothing is."""
     with tempfile.TemporaryDirectory() as scratch:
-        stages = []
-        for stage, suffix in STAGES.items():
+        names = []
+        for stage, suffix in stages.items():
             made = subprocess.run([program, shader, dialect, stage, *folder], capture_output=True, text=True)
             if made.returncode:
                 return made.stderr
-            stages.append(f"{stage}.{suffix}")
-            Path(scratch, stages[-1]).write_text(made.stdout)
+            names.append(f"{stage}.{suffix}")
+            Path(scratch, names[-1]).write_text(made.stdout)
         # -l also finds a missing main(), and a vertex stage whose outputs are not the fragment stage's inputs.
-        said = subprocess.run(["glslangValidator", "-l", *stages], cwd=scratch, capture_output=True, text=True)
+        said = subprocess.run(["glslangValidator", "-l", *names], cwd=scratch, capture_output=True, text=True)
         return said.stdout + said.stderr if said.returncode else ""
 
 
@@ -39,8 +47,8 @@ def main() -> None:
     shaders = top_level(Path(source))
     failed = not shaders
     for shader in shaders:
-        for dialect in ("gl33", "es30"):
-            wrong = validate(program, shader, dialect, folder)
+        for dialect, stages in kinds(Path(source, shader).read_text()):
+            wrong = validate(program, shader, dialect, stages, folder)
             print(f"{shader} {dialect}: {wrong or 'good'}")
             failed = failed or bool(wrong)
     sys.exit(1 if failed else 0)

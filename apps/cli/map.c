@@ -13,7 +13,7 @@ struct statistics {
 
 static struct dpl_image *make(const struct session *session, double time)
 {
-    return dpl_renderer_map(session->renderer, session->scene, time);
+    return dpl_renderer_slice(session->renderer, session->scene, time, session->options->slice);
 }
 
 static bool prepare(const struct session *session, const struct output *output, void *user)

@@ -1,14 +1,16 @@
 /* dapple/gl.h: dapple inside an OpenGL context, the caller's own or one without a window.
  *
- * Needed: OpenGL 3.3 core or OpenGL ES 3.0. dapple links no OpenGL library: it asks for every function by name.
+ * Needed: OpenGL 3.3 core or OpenGL ES 3.0; compute shaders of OpenGL 4.3 and OpenGL ES 3.1 are used where they are.
+ * dapple links no OpenGL library: it asks for every function by name.
  *
  * The state of the caller's context. Every call that takes a struct dpl_gl, or an object made with one, expects the
  * state in which OpenGL starts, and leaves it so, with these exceptions:
  *   - the viewport may be anything before and is the one drawn to last after;
  *   - bindings of the framebuffer (draw and read), the vertex array, the array buffer, the program, the active
- *     texture unit, textures of units 0 to 7 and the renderbuffer may be anything before and are 0 (unit 0) after,
- *     except the framebuffer handed to dpl_renderer_draw(), which stays bound for drawing and reading;
- *   - the clear colour and the blend function may be anything before and after;
+ *     texture unit, textures of units 0 to 7, the renderbuffer and shader storage buffers 0 and 1 may be anything
+ *     before and are 0 (unit 0) after, except the framebuffer handed to dpl_renderer_draw(), which stays bound for
+ *     drawing and reading;
+ *   - the clear colour, the blend function and the scissor box may be anything before and after;
  *   - pixel store parameters are the defaults before and after;
  *   - errors that OpenGL still holds from before are dropped, and there are none after.
  * tests/gpu_state.c holds this contract against a context.
@@ -33,6 +35,7 @@ struct dpl_gl_options {
     void *user;
     /* A folder to read shaders from in place of those built in (the repository's src/); NULL: those built in. */
     const char *shader_folder;
+    bool plain; /* use only what OpenGL 3.3 or OpenGL ES 3.0 has, even where the device has more */
 };
 
 /* Uses the context that is current on this thread. Returns NULL, with the reason logged, where it is too old. */
@@ -54,6 +57,8 @@ struct dpl_gl_info {
     bool float_render;  /* can draw to 16- and 32-bit float textures */
     bool timer_queries; /* can time passes on the device */
     bool polygon_mode;  /* can draw wireframe */
+    bool compute;       /* has compute shaders, and storage buffers that fragment shaders can read */
+    bool float_blend;   /* can add up 32-bit floats by blending */
     int texture_max;    /* largest side of a texture, texels */
     int samples_max;    /* most samples a pixel */
 };

@@ -8,7 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define TEXTURE_UNITS 8 /* those that dapple uses, as dapple/gl.h says */
+/* Those that dapple uses, as dapple/gl.h says. */
+#define TEXTURE_UNITS 8
+#define STORAGE_BUFFERS 2
 
 static bool load_functions(struct dpl_gl *gl, const struct dpl_gl_options *options)
 {
@@ -40,16 +42,21 @@ static bool is_software(const char *renderer)
     return false;
 }
 
+static bool is_version(struct dpl_gl *gl, int least_gl, int least_es)
+{
+    GLint major = 0, minor = 0;
+    gl->GetIntegerv(GL_MAJOR_VERSION, &major);
+    gl->GetIntegerv(GL_MINOR_VERSION, &minor);
+    return major * 10 + minor >= (gl->info.es ? least_es : least_gl);
+}
+
 static bool check_version(struct dpl_gl *gl)
 {
-    int major = 0, minor = 0;
     const char *version = (const char *)gl->GetString(GL_VERSION);
     if (!version)
         return base_fail(gl->log, DPL_REASON_NO_GL, "no OpenGL context is current on this thread");
     gl->info.es = strstr(version, "OpenGL ES") != NULL;
-    gl->GetIntegerv(GL_MAJOR_VERSION, &major);
-    gl->GetIntegerv(GL_MINOR_VERSION, &minor);
-    if (major * 10 + minor < (gl->info.es ? 30 : 33))
+    if (!is_version(gl, 33, 30))
         return base_fail(gl->log, DPL_REASON_NO_GL, "OpenGL is too old: %s (OpenGL 3.3 or OpenGL ES 3.0 is needed)",
                          version);
     gl->info.version = version;
@@ -68,6 +75,20 @@ static void add_fallback(struct dpl_gl *gl, bool lacks, const char *text)
         gl->fallbacks[count] = text;
 }
 
+/* Compute shaders, whose buffers a fragment shader can read too: OpenGL ES 3.1 alone does not promise that. */
+static void detect_compute(struct dpl_gl *gl, const struct dpl_gl_options *options)
+{
+    GLint blocks = 0;
+    if (options->plain || !is_version(gl, 43, 31))
+        return;
+    gl->GetIntegerv(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, &blocks);
+    if (blocks < STORAGE_BUFFERS)
+        return;
+    gl->DispatchCompute = (PFNGLDISPATCHCOMPUTEPROC)options->get_proc_address(options->user, "glDispatchCompute");
+    gl->MemoryBarrier = (PFNGLMEMORYBARRIERPROC)options->get_proc_address(options->user, "glMemoryBarrier");
+    gl->info.compute = gl->DispatchCompute && gl->MemoryBarrier;
+}
+
 static void detect_abilities(struct dpl_gl *gl, const struct dpl_gl_options *options)
 {
     gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &gl->info.texture_max);
@@ -78,11 +99,16 @@ static void detect_abilities(struct dpl_gl *gl, const struct dpl_gl_options *opt
     if (!gl->info.es)
         gl->PolygonMode = (PFNGLPOLYGONMODEPROC)options->get_proc_address(options->user, "glPolygonMode");
     gl->info.polygon_mode = gl->PolygonMode != NULL;
+    gl->info.float_blend = gl->info.float_render && (!gl->info.es || has_extension(gl, "GL_EXT_float_blend"));
+    detect_compute(gl, options);
     add_fallback(gl, !gl->info.float_render,
                  "no drawing to float textures: surfaces and caustic maps are computed on "
                  "the CPU and uploaded");
     add_fallback(gl, !gl->info.timer_queries, "no timer queries: passes are timed by waiting for the device");
     add_fallback(gl, !gl->info.polygon_mode, "no polygon mode: wireframe is drawn filled");
+    add_fallback(gl, !gl->info.compute, "no compute shaders: light is added up by blending");
+    add_fallback(gl, !gl->info.compute && !gl->info.float_blend,
+                 "no blending of 32-bit floats: light is added up in 16 bits, which shows in the brightest lines");
     add_fallback(gl, gl->info.software,
                  "OpenGL runs on the CPU: techniques with a CPU path of their own use that "
                  "unless --device gl is given");
@@ -161,7 +187,10 @@ void gpu_leave(struct dpl_gl *gl, unsigned framebuffer)
     for (GLenum unit = TEXTURE_UNITS; unit-- > 0;) {
         gl->ActiveTexture(GL_TEXTURE0 + unit);
         gl->BindTexture(GL_TEXTURE_2D, 0);
+        gl->BindTexture(GL_TEXTURE_2D_ARRAY, 0);
     }
+    for (GLuint index = 0; gl->info.compute && index < STORAGE_BUFFERS; index++)
+        gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, index, 0);
     gl->UseProgram(0);
     gl->BindVertexArray(0);
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);

@@ -14,6 +14,7 @@
     X(PFNGLATTACHSHADERPROC, AttachShader)                                                                             \
     X(PFNGLBEGINQUERYPROC, BeginQuery)                                                                                 \
     X(PFNGLBINDBUFFERPROC, BindBuffer)                                                                                 \
+    X(PFNGLBINDBUFFERBASEPROC, BindBufferBase)                                                                         \
     X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                                                                       \
     X(PFNGLBINDRENDERBUFFERPROC, BindRenderbuffer)                                                                     \
     X(PFNGLBINDTEXTUREPROC, BindTexture)                                                                               \
@@ -43,6 +44,7 @@
     X(PFNGLFINISHPROC, Finish)                                                                                         \
     X(PFNGLFRAMEBUFFERRENDERBUFFERPROC, FramebufferRenderbuffer)                                                       \
     X(PFNGLFRAMEBUFFERTEXTURE2DPROC, FramebufferTexture2D)                                                             \
+    X(PFNGLFRAMEBUFFERTEXTURELAYERPROC, FramebufferTextureLayer)                                                       \
     X(PFNGLGENBUFFERSPROC, GenBuffers)                                                                                 \
     X(PFNGLGENERATEMIPMAPPROC, GenerateMipmap)                                                                         \
     X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)                                                                       \
@@ -63,10 +65,13 @@
     X(PFNGLLINKPROGRAMPROC, LinkProgram)                                                                               \
     X(PFNGLREADPIXELSPROC, ReadPixels)                                                                                 \
     X(PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC, RenderbufferStorageMultisample)                                         \
+    X(PFNGLSCISSORPROC, Scissor)                                                                                       \
     X(PFNGLSHADERSOURCEPROC, ShaderSource)                                                                             \
     X(PFNGLTEXIMAGE2DPROC, TexImage2D)                                                                                 \
+    X(PFNGLTEXIMAGE3DPROC, TexImage3D)                                                                                 \
     X(PFNGLTEXPARAMETERIPROC, TexParameteri)                                                                           \
     X(PFNGLTEXSUBIMAGE2DPROC, TexSubImage2D)                                                                           \
+    X(PFNGLTEXSUBIMAGE3DPROC, TexSubImage3D)                                                                           \
     X(PFNGLUNIFORM1FPROC, Uniform1f)                                                                                   \
     X(PFNGLUNIFORM1IPROC, Uniform1i)                                                                                   \
     X(PFNGLUNIFORM2FPROC, Uniform2f)                                                                                   \
@@ -82,7 +87,9 @@ struct dpl_gl {
 #define GPU_MEMBER(type, name) type name;
     GPU_FUNCTIONS(GPU_MEMBER)
 #undef GPU_MEMBER
-    PFNGLPOLYGONMODEPROC PolygonMode; /* NULL in OpenGL ES */
+    PFNGLPOLYGONMODEPROC PolygonMode;         /* NULL in OpenGL ES */
+    PFNGLDISPATCHCOMPUTEPROC DispatchCompute; /* NULL where info.compute is false, as the next */
+    PFNGLMEMORYBARRIERPROC MemoryBarrier;
     struct dpl_gl_info info;
     const char *fallbacks[GPU_FALLBACKS_MAX + 1];
     char *shader_folder;           /* NULL: shaders are those built in */

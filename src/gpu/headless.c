@@ -138,7 +138,10 @@ struct dpl_gl *dpl_gl_create_headless(bool es, const char *shader_folder, const 
                   "no OpenGL: EGL makes no context of %s without a window (Debian: libgl1-mesa-dri)",
                   es ? "OpenGL ES 3.0" : "OpenGL 3.3");
     else
-        gl = dpl_gl_create(&(struct dpl_gl_options){get_function, headless, shader_folder}, log);
+        gl = dpl_gl_create(&(struct dpl_gl_options){.get_proc_address = get_function,
+                                                    .user = headless,
+                                                    .shader_folder = shader_folder},
+                           log);
     if (gl)
         gl->headless = headless;
     else

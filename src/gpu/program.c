@@ -10,9 +10,23 @@
 #define SHADER_SIZE_MAX (1 << 20) /* bytes of one file */
 #define INCLUDES_MAX 16
 
+#define ES_PRECISIONS                                                                                                  \
+    "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp sampler2DArray;\n"
+
 static const char *const dialect_lines[] = {
     [PROGRAM_GL33] = "#version 330 core\n",
-    [PROGRAM_ES30] = "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n",
+    [PROGRAM_ES30] = "#version 300 es\n" ES_PRECISIONS,
+    [PROGRAM_GL43] = "#version 430 core\n",
+    [PROGRAM_ES31] = "#version 310 es\n" ES_PRECISIONS,
+};
+
+static const struct {
+    const char *define;
+    GLenum shader;
+} stages[] = {
+    [PROGRAM_VERTEX] = {"VERTEX", GL_VERTEX_SHADER},
+    [PROGRAM_FRAGMENT] = {"FRAGMENT", GL_FRAGMENT_SHADER},
+    [PROGRAM_COMPUTE] = {"COMPUTE", GL_COMPUTE_SHADER},
 };
 
 /* A text that is being put together from files. */
@@ -76,15 +90,15 @@ static bool append_file(struct assembly *assembly, const char *path)
     return ok;
 }
 
-static char *assemble(struct assembly *assembly, const char *path, enum program_dialect dialect, bool fragment,
-                      const char *defines)
+static char *assemble(struct assembly *assembly, const char *path, enum program_dialect dialect,
+                      enum program_stage stage, const char *defines)
 {
     char *source = NULL;
     size_t size = 0;
     assembly->out = open_memstream(&source, &size);
     if (!assembly->out)
         return NULL;
-    fprintf(assembly->out, "%s#define %s\n%s", dialect_lines[dialect], fragment ? "FRAGMENT" : "VERTEX", defines);
+    fprintf(assembly->out, "%s#define %s\n%s", dialect_lines[dialect], stages[stage].define, defines);
     bool ok = append_file(assembly, path);
     if (fclose(assembly->out) == 0 && ok)
         return source;
@@ -92,11 +106,11 @@ static char *assemble(struct assembly *assembly, const char *path, enum program_
     return NULL;
 }
 
-char *program_source(const char *path, const char *shader_folder, enum program_dialect dialect, bool fragment,
-                     const char *defines, const struct dpl_log *log)
+char *program_source(const char *path, const char *shader_folder, enum program_dialect dialect,
+                     enum program_stage stage, const char *defines, const struct dpl_log *log)
 {
     struct assembly assembly = {.shader_folder = shader_folder, .log = log};
-    return assemble(&assembly, path, dialect, fragment, defines);
+    return assemble(&assembly, path, dialect, stage, defines);
 }
 
 /* Reports what the driver said; "2:17" there means line 17 of the second file of the list. */
@@ -110,13 +124,14 @@ static bool report(struct dpl_gl *gl, const char *path, const struct assembly *a
     return base_fail(gl->log, DPL_REASON_SHADER, "%s: %s (files:%s)", path, said, files);
 }
 
-static GLuint compile_stage(struct dpl_gl *gl, const char *path, bool fragment, const char *defines)
+static GLuint compile_stage(struct dpl_gl *gl, const char *path, enum program_stage stage, const char *defines)
 {
+    static const enum program_dialect dialects[2][2] = {{PROGRAM_GL33, PROGRAM_GL43}, {PROGRAM_ES30, PROGRAM_ES31}};
     struct assembly assembly = {.shader_folder = gl->shader_folder, .log = gl->log};
-    char *source = assemble(&assembly, path, gl->info.es ? PROGRAM_ES30 : PROGRAM_GL33, fragment, defines);
+    char *source = assemble(&assembly, path, dialects[gl->info.es][gl->info.compute], stage, defines);
     if (!source)
         return 0;
-    GLuint shader = gl->CreateShader(fragment ? GL_FRAGMENT_SHADER : GL_VERTEX_SHADER);
+    GLuint shader = gl->CreateShader(stages[stage].shader);
     const GLchar *text = source;
     gl->ShaderSource(shader, 1, &text, NULL);
     gl->CompileShader(shader);
@@ -132,11 +147,13 @@ static GLuint compile_stage(struct dpl_gl *gl, const char *path, bool fragment, 
     return 0;
 }
 
-static GLuint link_stages(struct dpl_gl *gl, const char *path, GLuint vertex, GLuint fragment)
+/* `second` may be 0: there is only one stage. */
+static GLuint link_stages(struct dpl_gl *gl, const char *path, GLuint first, GLuint second)
 {
     GLuint name = gl->CreateProgram();
-    gl->AttachShader(name, vertex);
-    gl->AttachShader(name, fragment);
+    gl->AttachShader(name, first);
+    if (second)
+        gl->AttachShader(name, second);
     gl->LinkProgram(name);
     GLint linked = 0;
     gl->GetProgramiv(name, GL_LINK_STATUS, &linked);
@@ -149,26 +166,45 @@ static GLuint link_stages(struct dpl_gl *gl, const char *path, GLuint vertex, GL
     return 0;
 }
 
-/* Leaves the program as it was where a stage fails. */
-static void build(struct dpl_gl *gl, struct gpu_program *program, const char *path, const char *defines)
+static GLuint build_drawing(struct dpl_gl *gl, const char *path, const char *defines)
 {
-    GLuint vertex = compile_stage(gl, path, false, defines);
-    GLuint fragment = vertex ? compile_stage(gl, path, true, defines) : 0;
+    GLuint vertex = compile_stage(gl, path, PROGRAM_VERTEX, defines);
+    GLuint fragment = vertex ? compile_stage(gl, path, PROGRAM_FRAGMENT, defines) : 0;
     GLuint name = fragment ? link_stages(gl, path, vertex, fragment) : 0;
     gl->DeleteShader(vertex);
     gl->DeleteShader(fragment);
-    if (!name)
-        return;
-    gl->DeleteProgram(program->name);
-    program->name = name;
+    return name;
+}
+
+static GLuint build_compute(struct dpl_gl *gl, const char *path, const char *defines)
+{
+    GLuint shader = compile_stage(gl, path, PROGRAM_COMPUTE, defines);
+    GLuint name = shader ? link_stages(gl, path, shader, 0) : 0;
+    gl->DeleteShader(shader);
+    return name;
+}
+
+/* Leaves the program as it was where a stage fails. */
+static bool ready(struct dpl_gl *gl, struct gpu_program *program, const char *path, const char *defines,
+                  GLuint (*build)(struct dpl_gl *gl, const char *path, const char *defines))
+{
+    GLuint name = program->generation != gl->generation ? build(gl, path, defines) : 0;
+    program->generation = gl->generation;
+    if (name) {
+        gl->DeleteProgram(program->name);
+        program->name = name;
+    }
+    return program->name != 0;
 }
 
 bool program_ready(struct dpl_gl *gl, struct gpu_program *program, const char *path, const char *defines)
 {
-    if (program->generation != gl->generation)
-        build(gl, program, path, defines);
-    program->generation = gl->generation;
-    return program->name != 0;
+    return ready(gl, program, path, defines, build_drawing);
+}
+
+bool program_compute_ready(struct dpl_gl *gl, struct gpu_program *program, const char *path, const char *defines)
+{
+    return ready(gl, program, path, defines, build_compute);
 }
 
 void program_finish(struct dpl_gl *gl, struct gpu_program *program)

@@ -8,9 +8,12 @@
  *     void main() { … }
  *     #endif
  *
- * The loader puts in front: the dialect ("#version 330 core", or "#version 300 es" with its precisions), the stage's
- * define, the caller's defines; and it expands #include "folder/file.glsl", each file once. Files are those built into
- * the library, or those of the folder that dpl_gl_options names; a message keeps file and line. */
+ * or one compute stage, in a file whose name says so: it is not read for other stages.
+ *
+ * The loader puts in front: the dialect ("#version 330 core", or "#version 300 es" with its precisions; "430 core" and
+ * "310 es" where the device has compute shaders), the stage's define, the caller's defines; and it expands #include
+ * "folder/file.glsl", each file once. Files are those built into the library, or those of the folder that
+ * dpl_gl_options names; a message keeps file and line. */
 #ifndef GPU_PROGRAM_H
 #define GPU_PROGRAM_H
 
@@ -27,6 +30,9 @@ struct gpu_program {
  * being edited does not take the picture away). True where there is a program to use. */
 bool program_ready(struct dpl_gl *gl, struct gpu_program *program, const char *path, const char *defines);
 
+/* The same for a program of one compute stage; the device has compute shaders. */
+bool program_compute_ready(struct dpl_gl *gl, struct gpu_program *program, const char *path, const char *defines);
+
 /* Takes a zeroed one. Leaves it zeroed. */
 void program_finish(struct dpl_gl *gl, struct gpu_program *program);
 
@@ -41,11 +47,12 @@ void program_vec4s(struct dpl_gl *gl, const struct gpu_program *program, const c
                    const float *values);
 void program_mat4(struct dpl_gl *gl, const struct gpu_program *program, const char *name, const float *columns);
 
-enum program_dialect { PROGRAM_GL33, PROGRAM_ES30 };
+enum program_dialect { PROGRAM_GL33, PROGRAM_ES30, PROGRAM_GL43, PROGRAM_ES31 };
+enum program_stage { PROGRAM_VERTEX, PROGRAM_FRAGMENT, PROGRAM_COMPUTE };
 
 /* The whole text of one stage as it is compiled: what the tests hand to a validator. The caller frees it; NULL, with
  * the reason logged, where a file is missing. */
-char *program_source(const char *path, const char *shader_folder, enum program_dialect dialect, bool fragment,
-                     const char *defines, const struct dpl_log *log);
+char *program_source(const char *path, const char *shader_folder, enum program_dialect dialect,
+                     enum program_stage stage, const char *defines, const struct dpl_log *log);
 
 #endif

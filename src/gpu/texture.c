@@ -22,64 +22,100 @@ static const struct pixel_format *find_format(GLenum sized)
     return NULL;
 }
 
-static void set_sampling(struct dpl_gl *gl, enum texture_wrap wrap, enum texture_filter filter)
+static GLenum target_of(const struct gpu_texture *texture)
+{
+    return texture->layers ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
+}
+
+static void set_sampling(struct dpl_gl *gl, GLenum target, enum texture_wrap wrap, enum texture_filter filter)
 {
     GLint wraps = wrap == TEXTURE_REPEAT ? GL_REPEAT : GL_CLAMP_TO_EDGE;
     GLint near = filter == TEXTURE_NEAREST ? GL_NEAREST : GL_LINEAR;
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wraps);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wraps);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, near);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter == TEXTURE_MIPMAP ? GL_LINEAR_MIPMAP_LINEAR : near);
+    gl->TexParameteri(target, GL_TEXTURE_WRAP_S, wraps);
+    gl->TexParameteri(target, GL_TEXTURE_WRAP_T, wraps);
+    gl->TexParameteri(target, GL_TEXTURE_MAG_FILTER, near);
+    gl->TexParameteri(target, GL_TEXTURE_MIN_FILTER, filter == TEXTURE_MIPMAP ? GL_LINEAR_MIPMAP_LINEAR : near);
 }
 
-void texture_resize(struct dpl_gl *gl, struct gpu_texture *texture, GLenum format, int width, int height,
-                    enum texture_wrap wrap, enum texture_filter filter)
+void texture_resize_array(struct dpl_gl *gl, struct gpu_texture *texture, GLenum format, int width, int height,
+                          int layers, enum texture_wrap wrap, enum texture_filter filter)
 {
-    bool fits = texture->name && texture->format == format && texture->width == width && texture->height == height;
-    if (fits && texture->filter == filter)
+    bool fits = texture->name && texture->format == format && texture->width == width && texture->height == height &&
+                texture->layers == layers;
+    if (fits && texture->wrap == wrap && texture->filter == filter)
         return;
+    if (texture->name && !texture->layers != !layers)
+        texture_finish(gl, texture); /* a name stays what it was first bound as */
     if (!texture->name)
         gl->GenTextures(1, &texture->name);
-    gl->BindTexture(GL_TEXTURE_2D, texture->name);
-    set_sampling(gl, wrap, filter);
+    texture->layers = layers;
+    texture->wrap = wrap;
     texture->filter = filter;
+    GLenum target = target_of(texture);
+    gl->BindTexture(target, texture->name);
+    set_sampling(gl, target, wrap, filter);
     if (fits)
         return;
     const struct pixel_format *pixels = find_format(format);
-    gl->TexImage2D(GL_TEXTURE_2D, 0, (GLint)format, width, height, 0, pixels->channels, pixels->type, NULL);
+    if (layers)
+        gl->TexImage3D(target, 0, (GLint)format, width, height, layers, 0, pixels->channels, pixels->type, NULL);
+    else
+        gl->TexImage2D(target, 0, (GLint)format, width, height, 0, pixels->channels, pixels->type, NULL);
     texture->format = format;
     texture->width = width;
     texture->height = height;
 }
 
+void texture_resize(struct dpl_gl *gl, struct gpu_texture *texture, GLenum format, int width, int height,
+                    enum texture_wrap wrap, enum texture_filter filter)
+{
+    texture_resize_array(gl, texture, format, width, height, 0, wrap, filter);
+}
+
 void texture_upload(struct dpl_gl *gl, const struct gpu_texture *texture, const float *texels)
 {
-    gl->BindTexture(GL_TEXTURE_2D, texture->name);
-    gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, texture->width, texture->height, find_format(texture->format)->channels,
-                      GL_FLOAT, texels);
+    GLenum channels = find_format(texture->format)->channels, target = target_of(texture);
+    int width = texture->width, height = texture->height;
+    gl->BindTexture(target, texture->name);
+    if (texture->layers)
+        gl->TexSubImage3D(target, 0, 0, 0, 0, width, height, texture->layers, channels, GL_FLOAT, texels);
+    else
+        gl->TexSubImage2D(target, 0, 0, 0, width, height, channels, GL_FLOAT, texels);
 }
 
 void texture_make_mipmaps(struct dpl_gl *gl, const struct gpu_texture *texture)
 {
-    gl->BindTexture(GL_TEXTURE_2D, texture->name);
-    gl->GenerateMipmap(GL_TEXTURE_2D);
+    gl->BindTexture(target_of(texture), texture->name);
+    gl->GenerateMipmap(target_of(texture));
+}
+
+/* Binds the texture's framebuffer, which is new where this returns true. */
+static bool bind_framebuffer(struct dpl_gl *gl, struct gpu_texture *texture)
+{
+    bool new = texture->framebuffer == 0;
+    if (new)
+        gl->GenFramebuffers(1, &texture->framebuffer);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, texture->framebuffer);
+    gl->Viewport(0, 0, texture->width, texture->height);
+    return new;
 }
 
 void texture_draw_to(struct dpl_gl *gl, struct gpu_texture *texture)
 {
-    bool made = texture->framebuffer != 0;
-    if (!made)
-        gl->GenFramebuffers(1, &texture->framebuffer);
-    gl->BindFramebuffer(GL_FRAMEBUFFER, texture->framebuffer);
-    if (!made)
+    if (bind_framebuffer(gl, texture))
         gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture->name, 0);
-    gl->Viewport(0, 0, texture->width, texture->height);
+}
+
+void texture_draw_to_layer(struct dpl_gl *gl, struct gpu_texture *texture, int layer)
+{
+    bind_framebuffer(gl, texture);
+    gl->FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, texture->name, 0, layer);
 }
 
 void texture_bind(struct dpl_gl *gl, const struct gpu_texture *texture, GLenum unit)
 {
     gl->ActiveTexture(GL_TEXTURE0 + unit);
-    gl->BindTexture(GL_TEXTURE_2D, texture->name);
+    gl->BindTexture(target_of(texture), texture->name);
 }
 
 void texture_finish(struct dpl_gl *gl, struct gpu_texture *texture)

@@ -41,12 +41,15 @@ bool blur_draw(struct light_blur *blur, struct dpl_gl *gl, const struct gpu_text
 {
     if (!program_ready(gl, &blur->program, "light/blur.glsl", ""))
         return false;
-    texture_draw_to(gl, to);
     program_use(gl, &blur->program);
     texture_bind(gl, from, 0);
     program_int(gl, &blur->program, "map", 0);
     program_int(gl, &blur->program, "width", width);
-    gpu_draw_screen(gl);
+    for (int slice = 0; slice < to->layers; slice++) {
+        texture_draw_to_layer(gl, to, slice);
+        program_int(gl, &blur->program, "slice", slice);
+        gpu_draw_screen(gl);
+    }
     return true;
 }
 

@@ -16,7 +16,7 @@ struct light_blur {
 /* Blurs every slice of a map in place. */
 bool blur_map(struct light_blur *blur, struct light_map *map, int width, const struct dpl_log *log);
 
-/* Draws the blurred texture into another of the same size. */
+/* Draws every slice, blurred, into another texture of the same size. */
 bool blur_draw(struct light_blur *blur, struct dpl_gl *gl, const struct gpu_texture *from, int width,
                struct gpu_texture *to);
 

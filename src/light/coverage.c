@@ -26,6 +26,7 @@ struct state {
     struct coverage_cells cells;
     struct coverage_plan plan;
     struct coverage_bands bands;
+    struct coverage_gpu gpu;
 };
 
 /* The light of one refractive index: `color` is the one that it is for, -1 all. */
@@ -63,10 +64,17 @@ static bool trace(void *state, const struct light_input *input, struct light_map
     return true;
 }
 
+static bool draw(void *state_, struct dpl_gl *gl, const struct light_input *input, struct gpu_texture *map)
+{
+    struct state *state = state_;
+    return coverage_gpu_draw(&state->gpu, gl, input, map);
+}
+
 static void finish(void *state_, struct dpl_gl *gl)
 {
     struct state *state = state_;
-    (void)gl;
+    if (gl)
+        coverage_gpu_finish(&state->gpu, gl);
     coverage_rays_finish(&state->rays);
     coverage_cells_finish(&state->cells);
     coverage_plan_finish(&state->plan);
@@ -84,5 +92,6 @@ const struct light_technique light_coverage = {
     .physical = true,
     .reflects = true,
     .trace = trace,
+    .draw = draw,
     .finish = finish,
 };

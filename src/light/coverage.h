@@ -7,6 +7,7 @@
 #ifndef LIGHT_COVERAGE_H
 #define LIGHT_COVERAGE_H
 
+#include "light/coverage_gpu.h"
 #include "light/light.h"
 
 #include <stddef.h>

@@ -16,13 +16,14 @@ static bool footprint_at(const struct light_input *input, const struct coverage_
                          double way, double covariance[3])
 {
     const double step = 0.01; /* of the disc's radius */
+    const struct optics_disc disc = optics_sun_disc(input->sun);
     memset(covariance, 0, 3 * sizeof *covariance);
     for (int axis = 0; axis < 2; axis++) {
         double ends[2][3];
         for (int end = 0; end < 2; end++) {
-            double disc[2] = {0}, sun[3];
-            disc[axis] = end == 0 ? -step : step;
-            optics_sun_place(input->sun, disc, sun);
+            double place[2] = {0}, sun[3];
+            place[axis] = end == 0 ? -step : step;
+            optics_disc_place(&disc, place, sun);
             if (!coverage_ray(sun, flat->ior, flat->upwards, slopes, ends[end]))
                 return false;
         }

@@ -50,6 +50,16 @@ float *light_map_slice(const struct light_map *map, int slice)
     return map->texels + (size_t)slice * (size_t)map->side * (size_t)map->side * (size_t)map->channels;
 }
 
+struct dpl_image *light_map_image(const struct light_map *map, int slice, const struct dpl_log *log)
+{
+    const float *texels = light_map_slice(map, slice);
+    struct dpl_image *image = dpl_image_create(map->side, map->side, log);
+    for (size_t i = 0; image && i < (size_t)map->side * (size_t)map->side; i++)
+        for (size_t c = 0; c < 3; c++)
+            image->pixels[i * 3 + c] = texels[map->channels == 1 ? i : i * 3 + c];
+    return image;
+}
+
 void light_map_finish(struct light_map *map)
 {
     free(map->texels);

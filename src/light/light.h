@@ -9,6 +9,7 @@
 #define LIGHT_LIGHT_H
 
 #include "base/param.h"
+#include "dapple/image.h"
 #include "gpu/texture.h"
 #include "optics/sun.h"
 #include "water/surface_gpu.h"
@@ -74,7 +75,7 @@ struct light_technique {
 
     /* Fills the map on the CPU. NULL: only on the GPU. The map has its size. */
     bool (*trace)(void *state, const struct light_input *input, struct light_map *map);
-    /* Fills the texture on the GPU. NULL: only on the CPU. The texture has its size. */
+    /* Fills the texture, a layer each receiver, on the GPU. NULL: only on the CPU. The texture has its size. */
     bool (*draw)(void *state, struct dpl_gl *gl, const struct light_input *input, struct gpu_texture *map);
     /* Frees what the state owns and leaves it zeroed; gl is NULL where there is no OpenGL. */
     void (*finish)(void *state, struct dpl_gl *gl);
@@ -90,6 +91,9 @@ bool light_map_resize(struct light_map *map, int side, int channels, int slices,
 
 /* The texels of one slice. */
 float *light_map_slice(const struct light_map *map, int slice);
+
+/* One slice as a new image of three channels. */
+struct dpl_image *light_map_image(const struct light_map *map, int slice, const struct dpl_log *log);
 void light_map_finish(struct light_map *map);
 
 #endif

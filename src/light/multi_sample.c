@@ -106,16 +106,12 @@ static void draw_normals(struct multi_sample_state *state, struct dpl_gl *gl, co
     gpu_draw_screen(gl);
 }
 
-static bool draw(void *state_, struct dpl_gl *gl, const struct light_input *input, struct gpu_texture *map)
+static void draw_slice(struct multi_sample_state *state, struct dpl_gl *gl, struct gpu_texture *map, int slice)
 {
-    struct multi_sample_state *state = state_;
-    if (!multi_sample_prepare(state, input, 0) || !build_programs(state, gl))
-        return false;
-    draw_normals(state, gl, input, map->width);
     const struct multi_sample_plan *plan = &state->plan;
     texture_resize(gl, &state->table, GL_R32F, MULTI_SAMPLE_TABLE, 1, TEXTURE_CLAMP, TEXTURE_NEAREST);
     texture_upload(gl, &state->table, plan->table);
-    texture_draw_to(gl, map);
+    texture_draw_to_layer(gl, map, slice);
     program_use(gl, &state->map_program);
     texture_bind(gl, &state->normals, 0);
     texture_bind(gl, &state->table, 1);
@@ -129,6 +125,19 @@ static bool draw(void *state_, struct dpl_gl *gl, const struct light_input *inpu
     program_float(gl, &state->map_program, "power", plan->power);
     program_float(gl, &state->map_program, "table_start", plan->table_start);
     gpu_draw_screen(gl);
+}
+
+static bool draw(void *state_, struct dpl_gl *gl, const struct light_input *input, struct gpu_texture *map)
+{
+    struct multi_sample_state *state = state_;
+    if (!build_programs(state, gl))
+        return false;
+    draw_normals(state, gl, input, map->width);
+    for (int slice = 0; slice < input->slices; slice++) {
+        if (!multi_sample_prepare(state, input, slice))
+            return false;
+        draw_slice(state, gl, map, slice);
+    }
     return true;
 }
 

@@ -10,8 +10,7 @@ struct frame {
     struct dpl_gl *gl;
     const struct dpl_scene *scene;
     const struct surface_gpu *surface;
-    const struct gpu_texture *map; /* the caustic map */
-    int map_channels;
+    const struct gpu_texture *map; /* the caustic maps; see light/map_texture.h */
     const struct gpu_texture *sand;
     float view_projection[16]; /* columns; world to clip space */
     struct gpu_timer *timer;

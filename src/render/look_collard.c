@@ -2,6 +2,7 @@
 #include "render/look_collard.h"
 
 #include "base/log.h"
+#include "light/map_texture.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -80,10 +81,8 @@ static void draw_ground(struct look_collard_state *state, const struct frame *fr
     program_float(gl, program, "floor_tint", look->floor_tint);
     program_vec3(gl, program, "water_color", look->water_color);
     texture_bind(gl, frame->sand, 0);
-    texture_bind(gl, frame->map, 1);
+    map_texture_bind(gl, frame->map, program, 1);
     program_int(gl, program, "sand", 0);
-    program_int(gl, program, "light_texels", 1);
-    program_int(gl, program, "light_channels", frame->map_channels);
     gl->BindVertexArray(gl->empty_array);
     gl->DrawArrays(GL_TRIANGLES, 0, 6);
 }

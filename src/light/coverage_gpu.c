@@ -1,0 +1,252 @@
+/* The GPU's half of coverage.c.
+ *
+ * Light is added up as whole numbers by compute shaders, so that the order of the additions does not show. */
+#include "light/coverage_gpu.h"
+
+#include "base/log.h"
+#include "optics/refraction.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define UNIT 65536.0 /* whole numbers in the light of flat water: the brightest texel may be 65536 times as bright */
+
+/* One picture of the surface's cells on one receiver. */
+struct receiver {
+    double height;  /* m */
+    double flat[3]; /* u, v, q of flat water */
+    double absorption[3];
+    double offset[2]; /* texels, from the map's corner to where flat water has the first vertex */
+    int side, level;  /* texels of the sharp map */
+    int cells;        /* a side of the surface */
+    double cell;      /* texels */
+};
+
+static bool is_upwards(const struct light_input *input)
+{
+    return input->receivers[0] > 0;
+}
+
+/* Where flat water sends light from a place of the sun: for each metre of height its way along x and z, and its length.
+ */
+static void flat_ray(const double sun[3], double ior, bool upwards, double uvq[3])
+{
+    static const double up[3] = {0, 1, 0};
+    double direction[3];
+    if (upwards)
+        optics_reflect(sun, up, direction);
+    else
+        optics_refract(sun, up, ior, direction);
+    uvq[0] = direction[0] / direction[1];
+    uvq[1] = direction[2] / direction[1];
+    uvq[2] = 1 / direction[1];
+}
+
+static void draw_rays(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct light_input *input, double ior,
+                      struct gpu_texture *rays)
+{
+    const struct gpu_texture *surface = &input->surface_gpu->texels;
+    const struct gpu_program *program = &gpu->rays_program;
+    bool upwards = is_upwards(input);
+    double sun[3], uvq[3];
+    optics_sun_direction(input->sun, sun);
+    flat_ray(sun, ior, upwards, uvq);
+    double reflectance = optics_fresnel_reflectance(sun[1], ior), share = upwards ? reflectance : 1 - reflectance;
+    const float flat[4] = {(float)uvq[0], (float)uvq[1], share > 0 ? (float)(1 / (sun[1] * share)) : 0.0f, 0};
+    texture_resize(gl, rays, GL_RGBA32F, surface->width, surface->height, TEXTURE_CLAMP, TEXTURE_NEAREST);
+    texture_draw_to(gl, rays);
+    program_use(gl, program);
+    surface_gpu_bind(gl, input->surface_gpu, program, 0);
+    program_vec3(gl, program, "sun", sun);
+    program_float(gl, program, "ior", ior);
+    program_int(gl, program, "upwards", upwards);
+    program_vec4s(gl, program, "flat_water", 1, flat);
+    gpu_draw_screen(gl);
+}
+
+/* Sets the uniforms of coverage_cell.glsl. */
+static void bind_cells(struct dpl_gl *gl, const struct gpu_program *program, const struct light_input *input,
+                       const struct receiver *receiver, const struct gpu_texture *rays, const double channels[3])
+{
+    const float flat[4] = {(float)receiver->flat[0], (float)receiver->flat[1], (float)receiver->flat[2], 0};
+    double whole[2] = {floor(receiver->offset[0]), floor(receiver->offset[1])};
+    const float offset[4] = {(float)whole[0], (float)whole[1], (float)(receiver->offset[0] - whole[0]),
+                             (float)(receiver->offset[1] - whole[1])};
+    program_use(gl, program);
+    texture_bind(gl, rays, 0);
+    program_int(gl, program, "rays", 0);
+    program_vec4s(gl, program, "flat_water", 1, flat);
+    program_vec4s(gl, program, "offset", 1, offset);
+    program_vec3(gl, program, "absorption", receiver->absorption);
+    program_vec3(gl, program, "channels", channels);
+    program_float(gl, program, "receiver", receiver->height);
+    program_float(gl, program, "cell", receiver->cell);
+    program_float(gl, program, "texels_a_meter", receiver->side / input->setup->size);
+    program_float(gl, program, "widest", 64 + 4 * receiver->cell);
+    program_int(gl, program, "side", receiver->side);
+    program_int(gl, program, "cells", receiver->cells);
+    program_int(gl, program, "periodic", input->surface_gpu->periodic);
+    program_float(gl, program, "unit", UNIT);
+}
+
+/* Makes the buffer hold zeros for a map of that side, or leaves it where it does. */
+static bool resize_light(struct coverage_gpu *gpu, struct dpl_gl *gl, int side)
+{
+    if (gpu->light && gpu->light_side == side)
+        return true;
+    size_t size = (size_t)side * (size_t)side * 3;
+    unsigned *zeros = base_allocate(gl->log, size, sizeof *zeros, "light");
+    if (!zeros)
+        return false;
+    if (!gpu->light)
+        gl->GenBuffers(1, &gpu->light);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, gpu->light);
+    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)(size * sizeof *zeros), zeros, GL_DYNAMIC_COPY);
+    gpu->light_side = side;
+    free(zeros);
+    return true;
+}
+
+static void add_cells(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct light_input *input,
+                      const struct receiver *receiver, const struct gpu_texture *rays, const double channels[3])
+{
+    GLuint groups = (GLuint)(receiver->cells + 7) / 8;
+    bind_cells(gl, &gpu->add_program, input, receiver, rays, channels);
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, gpu->light);
+    gl->DispatchCompute(groups, groups, 1);
+}
+
+static void resolve(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct receiver *receiver)
+{
+    gl->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    program_use(gl, &gpu->resolve_program);
+    program_int(gl, &gpu->resolve_program, "side", receiver->side);
+    program_float(gl, &gpu->resolve_program, "unit", UNIT);
+    gpu_draw_screen(gl);
+    gl->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+static void draw_disc(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct light_input *input,
+                      const struct coverage_disc *disc)
+{
+    const struct gpu_program *program = &gpu->disc_program;
+    program_use(gl, program);
+    texture_bind(gl, gpu->sharp + disc->level, 0);
+    program_int(gl, program, "sharp", 0);
+    program_int(gl, program, "tap_count", disc->count);
+    program_int(gl, program, "periodic", input->surface_gpu->periodic);
+    program_vec4s(gl, program, "taps", disc->count, disc->taps[0]);
+    gpu_draw_screen(gl);
+}
+
+/* The covariance of the sun's disc as flat water throws it on a receiver, in texels: xx, xz, zz. */
+static void find_covariance(const struct light_input *input, double ior, double height, double texels_a_meter,
+                            double covariance[3])
+{
+    static const double rim[4][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+    const struct optics_disc disc = optics_sun_disc(input->sun);
+    double uvq[4][3], axes[2][2];
+    for (int i = 0; i < 4; i++) {
+        double sun[3];
+        optics_disc_place(&disc, rim[i], sun);
+        sun[1] = fmax(sun[1], 1e-3); /* a sun that sets is seen whole */
+        flat_ray(sun, ior, is_upwards(input), uvq[i]);
+    }
+    for (int i = 0; i < 4; i++)
+        axes[i / 2][i % 2] = (uvq[i / 2 * 2][i % 2] - uvq[i / 2 * 2 + 1][i % 2]) / 2 * height * texels_a_meter;
+    covariance[0] = (axes[0][0] * axes[0][0] + axes[1][0] * axes[1][0]) / 4;
+    covariance[1] = (axes[0][0] * axes[0][1] + axes[1][0] * axes[1][1]) / 4;
+    covariance[2] = (axes[0][1] * axes[0][1] + axes[1][1] * axes[1][1]) / 4;
+}
+
+static struct receiver find_receiver(const struct light_input *input, int slice, double ior, int side, int level)
+{
+    const struct surface_gpu *surface = input->surface_gpu;
+    struct receiver receiver = {.height = input->receivers[slice], .level = level};
+    double sun[3];
+    optics_sun_direction(input->sun, sun);
+    flat_ray(sun, ior, is_upwards(input), receiver.flat);
+    receiver.side = (side + (1 << level) - 1) >> level;
+    receiver.cells = surface->texels.width - (surface->periodic ? 0 : 1);
+    receiver.cell = (double)receiver.side / receiver.cells;
+    for (int i = 0; i < 2; i++) {
+        receiver.offset[i] = receiver.flat[i] * receiver.height / input->setup->size * receiver.side;
+        if (surface->periodic)
+            receiver.offset[i] = fmod(receiver.offset[i], receiver.side);
+    }
+    for (int c = 0; c < 3 && !is_upwards(input); c++)
+        receiver.absorption[c] = input->medium->absorption[c];
+    return receiver;
+}
+
+static bool build_programs(struct coverage_gpu *gpu, struct dpl_gl *gl)
+{
+    return program_ready(gl, &gpu->rays_program, "light/coverage_rays.glsl", "") &&
+           program_ready(gl, &gpu->resolve_program, "light/coverage_resolve.glsl", "") &&
+           program_ready(gl, &gpu->disc_program, "light/coverage_disc.glsl", "") &&
+           program_compute_ready(gl, &gpu->add_program, "light/coverage_add.glsl", "");
+}
+
+/* `passes`: 1, or 3 with an index for each colour. */
+static bool draw_slice(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct light_input *input, int passes,
+                       const double *ior, struct gpu_texture *map, int slice)
+{
+    static const double all[3] = {1, 1, 1}, one[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    struct coverage_disc *disc = gpu->discs + slice;
+    double covariance[3];
+    find_covariance(input, input->medium->ior, input->receivers[slice], map->width / input->setup->size, covariance);
+    coverage_disc_make(disc, covariance);
+    struct receiver receiver = {0};
+    for (int pass = 0; pass < passes; pass++) {
+        receiver = find_receiver(input, slice, ior[pass], map->width, disc->level);
+        add_cells(gpu, gl, input, &receiver, gpu->rays + pass, passes == 1 ? all : one[pass]);
+    }
+    bool point = disc->count == 1;
+    struct gpu_texture *sharp = gpu->sharp + disc->level;
+    if (point) {
+        texture_draw_to_layer(gl, map, slice);
+        resolve(gpu, gl, &receiver);
+        return true;
+    }
+    texture_resize(gl, sharp, GL_RGBA16F, receiver.side, receiver.side,
+                   input->surface_gpu->periodic ? TEXTURE_REPEAT : TEXTURE_CLAMP,
+                   disc->level ? TEXTURE_LINEAR : TEXTURE_NEAREST);
+    texture_draw_to(gl, sharp);
+    resolve(gpu, gl, &receiver);
+    texture_draw_to_layer(gl, map, slice);
+    draw_disc(gpu, gl, input, disc);
+    return true;
+}
+
+bool coverage_gpu_draw(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct light_input *input,
+                       struct gpu_texture *map)
+{
+    double iors[3];
+    int passes = input->medium->dispersion > 0 ? 3 : 1;
+    if (!build_programs(gpu, gl) || !resize_light(gpu, gl, map->width))
+        return false;
+    water_refractive_indices(input->medium, iors);
+    if (passes == 1)
+        iors[0] = input->medium->ior;
+    for (int pass = 0; pass < passes; pass++)
+        draw_rays(gpu, gl, input, iors[pass], gpu->rays + pass);
+    for (int slice = 0; slice < input->slices; slice++)
+        if (!draw_slice(gpu, gl, input, passes, iors, map, slice))
+            return false;
+    return true;
+}
+
+void coverage_gpu_finish(struct coverage_gpu *gpu, struct dpl_gl *gl)
+{
+    program_finish(gl, &gpu->rays_program);
+    program_finish(gl, &gpu->add_program);
+    program_finish(gl, &gpu->resolve_program);
+    program_finish(gl, &gpu->disc_program);
+    for (int i = 0; i < 3; i++)
+        texture_finish(gl, gpu->rays + i);
+    for (int i = 0; i < COVERAGE_LEVELS; i++)
+        texture_finish(gl, gpu->sharp + i);
+    gl->DeleteBuffers(1, &gpu->light);
+    *gpu = (struct coverage_gpu){0};
+}

@@ -1,0 +1,41 @@
+/* light/coverage_gpu.h: the GPU's half of the technique `coverage`.
+ *
+ *     surface ─→ rays ─→ cells, added up on one receiver ─→ sharp (a point sun's light) ─→ disc ─→ layer of the map
+ */
+#ifndef LIGHT_COVERAGE_GPU_H
+#define LIGHT_COVERAGE_GPU_H
+
+#include "gpu/program.h"
+#include "light/light.h"
+
+#define COVERAGE_LEVELS 14 /* sides of the sharp map: LIGHT_MAP_MAX, half of it, … 1 */
+#define COVERAGE_TAPS 192  /* texels that a footprint touches; as in coverage_disc.glsl */
+
+/* The footprint of the sun's disc on one receiver: weights of the texels of the sharp map. */
+struct coverage_disc {
+    double covariance[3];         /* that it was made for, in texels of the map: xx, xz, zz */
+    int level;                    /* the sharp map has 2^level fewer texels a side than the map */
+    int count;                    /* 0: not made */
+    float taps[COVERAGE_TAPS][4]; /* x, z, weight */
+};
+
+/* All zero: none yet. */
+struct coverage_gpu {
+    struct gpu_program rays_program, add_program, points_program, resolve_program, fold_program, disc_program;
+    struct gpu_texture rays[3];                /* one, or one for each of red green blue */
+    GLuint light, points_array;                /* whole numbers: three for each texel */
+    int light_side;                            /* texels a side that it holds */
+    struct gpu_texture blended;                /* in place of `light`, where there is no compute: with a margin */
+    struct gpu_texture sharp[COVERAGE_LEVELS]; /* a point sun's light */
+    struct coverage_disc discs[LIGHT_SLICES_MAX];
+};
+
+bool coverage_gpu_draw(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct light_input *input,
+                       struct gpu_texture *map);
+
+void coverage_gpu_finish(struct coverage_gpu *gpu, struct dpl_gl *gl);
+
+/* Brings the footprint up to date. */
+void coverage_disc_make(struct coverage_disc *disc, const double covariance[3]);
+
+#endif

@@ -1,0 +1,48 @@
+#include "light/map_texture.h"
+
+#include "base/log.h"
+
+#include <stdlib.h>
+
+int map_texture_channels(const struct gpu_texture *map)
+{
+    return map->format == GL_R16F || map->format == GL_R32F ? 1 : 3;
+}
+
+void map_texture_resize(struct dpl_gl *gl, struct gpu_texture *map, int side, int channels, int slices,
+                        enum map_origin origin, bool finished, bool periodic)
+{
+    bool es = gl->info.es;
+    GLenum drawn = channels == 1 ? GL_R16F : GL_RGBA16F;
+    GLenum half = channels == 1 ? GL_R16F : GL_RGB16F, full = channels == 1 ? GL_R32F : GL_RGB32F;
+    GLenum format = origin == MAP_DRAWN ? drawn : es ? half : full;
+    bool levels = finished && gl->info.float_render && !(es && format == GL_RGB16F);
+    texture_resize_array(gl, map, format, side, side, slices, periodic ? TEXTURE_REPEAT : TEXTURE_CLAMP,
+                         levels ? TEXTURE_MIPMAP : TEXTURE_LINEAR);
+}
+
+void map_texture_bind(struct dpl_gl *gl, const struct gpu_texture *map, const struct gpu_program *program, int unit)
+{
+    texture_bind(gl, map, (GLenum)unit);
+    program_int(gl, program, "light_texels", unit);
+    program_int(gl, program, "light_channels", map_texture_channels(map));
+}
+
+struct dpl_image *map_texture_read(struct dpl_gl *gl, struct gpu_texture *map, int slice)
+{
+    int side = map->width;
+    size_t count = (size_t)side * (size_t)side;
+    struct dpl_image *image = dpl_image_create(side, side, gl->log);
+    float *texels = image ? base_allocate(gl->log, count * 4, sizeof *texels, "caustic map") : NULL;
+    if (!texels) {
+        dpl_image_destroy(image);
+        return NULL;
+    }
+    texture_draw_to_layer(gl, map, slice);
+    gl->ReadPixels(0, 0, side, side, GL_RGBA, GL_FLOAT, texels);
+    for (size_t i = 0; i < count; i++)
+        for (size_t c = 0; c < 3; c++)
+            image->pixels[i * 3 + c] = texels[i * 4 + (map_texture_channels(map) == 1 ? 0 : c)];
+    free(texels);
+    return image;
+}
