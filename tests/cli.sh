@@ -329,6 +329,28 @@ refuses 2 'accepted: scenes, waters, techniques, params' list
 refuses 2 'accepted: scenes, waters, techniques, params' list fish
 refuses 2 '--markdown: only for params' list scenes --markdown
 
+# --- the ground truth ---
+truth="$small --technique reference --set reference.photons=64"
+works list techniques --json && json '[t["refines"] for t in o["techniques"] if t["name"] == "reference"] == [True]'
+works map $truth --json -o a.pfm && json '0 < o["noise"] < 0.2 and 0.5 < o["mean"] < 1'
+mv a.pfm "$scratch/truth.pfm"
+photons=$scratch/photons
+works map $truth --seconds 0 --set reference.file="$photons" -o a.pfm && says 'noise '
+cmp -s a.pfm "$scratch/truth.pfm" && fail '--seconds 0 does not stop'
+works map $truth --set reference.file="$photons" -o a.pfm
+cmp -s a.pfm "$scratch/truth.pfm" || fail 'a map in two runs is not that of one'
+holds a.pfm
+refuses 2 'photons: its photons are those of another scene' map $truth --time 1 --set reference.file="$photons" -o a.pfm
+refuses 2 '--seconds: ' map $truth --seconds -1 -o a.pfm
+rm "$photons"
+# its signal comes after the first pass, which is long over when the file is there
+"$dapple" map $truth --device cpu --set reference.photons=1000000 --set reference.file="$photons" -o a.pfm 2>"$err" &
+child=$!
+sleep 2
+kill -s TERM $child
+wait $child 2>/dev/null && fail 'SIGTERM did not end the ground truth'
+[ -s "$photons" ] && [ -z "$(ls -A)" ] || fail "SIGTERM: no photons kept, or a map: $(ls -A)"
+
 # --- a stdout that cannot be written ---
 for command in help info 'list params' "map $small -o a.exr"; do
     code=0

@@ -10,7 +10,8 @@ static inline void sine_cosine(double turns, double *sine, double *cosine)
 {
     const double whole = 6755399441055744.0; /* 1.5 · 2^52: adding it leaves no room for a fraction */
     double a = M_PI * (turns - ((turns + whole) - whole)), q = a * a;
-    double s = 1.0 / 355687428096000;
+    double s = -1.0 / 121645100408832000;
+    s = s * q + 1.0 / 355687428096000;
     s = s * q - 1.0 / 1307674368000;
     s = s * q + 1.0 / 6227020800;
     s = s * q - 1.0 / 39916800;

@@ -22,6 +22,7 @@
 struct light_settings {
     int technique;     /* index into light_techniques */
     int map, mesh;     /* texels, vertices a side */
+    double error;      /* per cent, wanted */
     int slices;        /* receivers below the surface */
     double ceiling;    /* m above the rest surface, of a receiver there; 0: none */
     double depth_bias; /* m */

@@ -15,7 +15,7 @@ struct reference {
 };
 
 static const struct dpl_param params[] = {
-    PARAM_INT(struct reference, photons, 512, 1, 1000000, "",
+    PARAM_INT(struct reference, photons, 400, 1, 1000000, "",
               "photons to send for each texel, about; more is never less exact"),
     PARAM_FLOAT(struct reference, noise, 0, 0, 100, "%", "enough once the noise is at most this; 0 = send all photons"),
     PARAM_TEXT(struct reference, file, "where photons are kept, to go on from in the next run; empty = nowhere"),
@@ -97,7 +97,8 @@ static bool trace(void *state_, const struct light_input *input, struct light_ma
         photons_pass(photons, &task);
         state->saved = false;
         done = share_done(photons, p);
-        enough = done == 1 || (input->progress.step && !input->progress.step(input->progress.user, done));
+        bool stopped = input->progress.step && !input->progress.step(input->progress.user, done);
+        enough = done == 1 || stopped;
         if (!enough && photons->passes % passes_per_save(photons) == 0 && !save(state, input->log))
             return false;
     }

@@ -2,7 +2,8 @@
  *
  * A ray's weight is its light in units of what the same patch of flat water would send to the receiver if the whole sun
  * stood at its middle: projected area × Fresnel's share × what the water lets through. Each ray meets the surface
- * once: waves cast no shadow on others, and light that is thrown back does not fall onto the water again. */
+ * once: waves cast no shadow on others, and light that is thrown back does not fall onto the water again. A ray that
+ * never comes to its receiver takes its light with it. */
 #ifndef REFERENCE_RAY_H
 #define REFERENCE_RAY_H
 
