@@ -117,14 +117,6 @@ static void time_passes(struct viewer *viewer)
     dpl_renderer_time_passes(viewer->renderer, queries ? DPL_TIMING_QUERIES : DPL_TIMING_WAIT, glfwGetTime);
 }
 
-/* A map that is refined gets one step a frame, so that the window never waits for it. */
-static bool take_as_it_is(void *user, double done)
-{
-    (void)user;
-    (void)done;
-    return false;
-}
-
 static bool start(struct viewer *viewer)
 {
     const struct viewer_options *options = viewer->options;
@@ -139,7 +131,6 @@ static bool start(struct viewer *viewer)
     viewer->panel = panel_create(viewer->window);
     if (!viewer->renderer || !viewer->panel)
         return say(viewer, DPL_LOG_ERROR, DPL_REASON_LIMIT, "window: memory is short");
-    dpl_renderer_progress(viewer->renderer, take_as_it_is, NULL);
     time_passes(viewer);
     compare_start(&viewer->compare, viewer->renderer, glfwGetTime);
     watch_start(&viewer->watch, viewer->document.path, options->shader_folder);
