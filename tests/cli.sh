@@ -218,7 +218,7 @@ works compare $compared --technique multi-sample --set caustics.ceiling=2 --json
 run 0 "$dapple" compare $compared --technique multi-sample --set reference.photons=1 --set collard.amplitude=0.01
 grep -q '^dapple: warning: reference: its noise of ' "$err" || fail 'no warning of a noisy reference'
 works compare --seconds 0.1 $compared --technique multi-sample --map 64 --set reference.photons=100000 --set reference.noise=0
-refuses 2 '--against: no such technique: "magic" (accepted: multi-sample' compare --against magic -o sheet.png
+refuses 2 '--against: no such technique: "magic" (accepted: coverage' compare --against magic -o sheet.png
 refuses 2 'caustics.technique: no such choice: "magic"' compare --technique multi-sample --technique magic -o sheet.png
 refuses 2 'accepted: .png, .exr, .pfm' compare -o sheet.jpg
 refuses 2 'cannot be written' compare -o missing/sheet.png
