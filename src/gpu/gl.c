@@ -91,8 +91,12 @@ static void detect_compute(struct dpl_gl *gl, const struct dpl_gl_options *optio
 
 static void detect_abilities(struct dpl_gl *gl, const struct dpl_gl_options *options)
 {
+    enum { ALIASED_POINT_SIZE_RANGE = 0x846D }; /* OpenGL ES's name, which the core profile dropped */
+    GLint points[2] = {1, 1};
     gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &gl->info.texture_max);
     gl->GetIntegerv(GL_MAX_SAMPLES, &gl->info.samples_max);
+    gl->GetIntegerv(gl->info.es ? ALIASED_POINT_SIZE_RANGE : GL_POINT_SIZE_RANGE, points);
+    gl->info.point_max = points[1];
     gl->info.float_render =
         texture_can_render(gl, GL_RGBA32F) && texture_can_render(gl, GL_RGBA16F) && texture_can_render(gl, GL_R16F);
     gl->info.timer_queries = !gl->info.es || has_extension(gl, "GL_EXT_disjoint_timer_query");

@@ -22,11 +22,11 @@ struct coverage_disc {
 /* All zero: none yet. */
 struct coverage_gpu {
     struct gpu_program rays_program, add_program, points_program, resolve_program, fold_program, disc_program;
-    struct gpu_texture rays[3];                /* one, or one for each of red green blue */
-    GLuint light, points_array;                /* whole numbers: three for each texel */
-    int light_side;                            /* texels a side that it holds */
-    struct gpu_texture blended;                /* in place of `light`, where there is no compute: with a margin */
-    struct gpu_texture sharp[COVERAGE_LEVELS]; /* a point sun's light */
+    struct gpu_texture rays[3];                  /* one, or one for each of red green blue */
+    GLuint light;                                /* whole numbers: three for each texel */
+    int light_side;                              /* texels a side that it holds */
+    struct gpu_texture blended[COVERAGE_LEVELS]; /* in place of `light`, where there is no compute: with a margin */
+    struct gpu_texture sharp[COVERAGE_LEVELS];   /* a point sun's light */
     struct coverage_disc discs[LIGHT_SLICES_MAX];
 };
 
