@@ -49,6 +49,7 @@ static void report_gl_json(const struct report *report, struct json *json)
     json_number(json, "texture_max", info->texture_max);
     json_number(json, "samples_max", info->samples_max);
     json_number(json, "point_max", info->point_max);
+    json_number(json, "storage_max", info->storage_max);
     json_open(json, "fallbacks", '[');
     for (int i = 0; dpl_gl_fallback(report->gl, i); i++)
         json_text(json, NULL, dpl_gl_fallback(report->gl, i));

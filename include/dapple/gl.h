@@ -62,6 +62,7 @@ struct dpl_gl_info {
     int texture_max;    /* largest side of a texture, texels */
     int samples_max;    /* most samples a pixel */
     int point_max;      /* widest point, pixels */
+    int storage_max;    /* largest storage buffer, bytes */
 };
 DPL_API const struct dpl_gl_info *dpl_gl_describe(const struct dpl_gl *gl);
 

@@ -82,6 +82,7 @@ static void detect_compute(struct dpl_gl *gl, const struct dpl_gl_options *optio
     if (options->plain || !is_version(gl, 43, 31))
         return;
     gl->GetIntegerv(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, &blocks);
+    gl->GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &gl->info.storage_max);
     if (blocks < STORAGE_BUFFERS)
         return;
     gl->DispatchCompute = (PFNGLDISPATCHCOMPUTEPROC)options->get_proc_address(options->user, "glDispatchCompute");

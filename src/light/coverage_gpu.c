@@ -26,6 +26,12 @@ struct receiver {
     int widest, margin; /* texels of a cell's image; of the blended light */
 };
 
+/* Whether light of a map of that side is added up by compute shaders: a buffer must hold it. */
+static bool is_computed(const struct dpl_gl *gl, int side)
+{
+    return gl->info.compute && (double)side * side * 3 * sizeof(GLint) <= gl->info.storage_max;
+}
+
 static bool is_upwards(const struct light_input *input)
 {
     return input->receivers[0] > 0;
@@ -206,14 +212,13 @@ static void find_covariance(const struct light_input *input, double ior, double 
 }
 
 static struct receiver find_receiver(const struct dpl_gl *gl, const struct light_input *input, int slice, double ior,
-                                     int side, int level)
+                                     const struct coverage_disc *disc)
 {
     const struct surface_gpu *surface = input->surface_gpu;
-    struct receiver receiver = {.height = input->receivers[slice], .level = level};
+    struct receiver receiver = {.height = input->receivers[slice], .side = disc->side, .level = disc->level};
     double sun[3];
     optics_sun_direction(input->sun, sun);
     flat_ray(sun, ior, is_upwards(input), receiver.flat);
-    receiver.side = (side + (1 << level) - 1) >> level;
     receiver.cells = surface->texels.width - (surface->periodic ? 0 : 1);
     receiver.split = receiver.side / receiver.cells / CELL_MAX + 1;
     receiver.cell = (double)receiver.side / receiver.cells / receiver.split;
@@ -233,7 +238,7 @@ static bool build_programs(struct coverage_gpu *gpu, struct dpl_gl *gl)
 {
     bool built = program_ready(gl, &gpu->rays_program, "light/coverage_rays.glsl", "") &&
                  program_ready(gl, &gpu->disc_program, "light/coverage_disc.glsl", "");
-    if (gl->info.compute)
+    if (gpu->computed)
         return built && program_compute_ready(gl, &gpu->add_program, "light/coverage_add.glsl", "") &&
                program_ready(gl, &gpu->resolve_program, "light/coverage_resolve.glsl", "");
     return built && program_ready(gl, &gpu->points_program, "light/coverage_points.glsl", "") &&
@@ -242,14 +247,14 @@ static bool build_programs(struct coverage_gpu *gpu, struct dpl_gl *gl)
 
 /* The light of a point sun. `passes`: 1, or 3 with an index for each colour. */
 static struct receiver add_cells(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct light_input *input,
-                                 int passes, const double *ior, int side, int slice)
+                                 int passes, const double *ior, int slice)
 {
     static const double all[3] = {1, 1, 1}, one[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     struct receiver receiver = {0};
     for (int pass = 0; pass < passes; pass++) {
         const double *channels = passes == 1 ? all : one[pass];
-        receiver = find_receiver(gl, input, slice, ior[pass], side, gpu->discs[slice].level);
-        if (gl->info.compute)
+        receiver = find_receiver(gl, input, slice, ior[pass], gpu->discs + slice);
+        if (gpu->computed)
             compute_cells(gpu, gl, input, &receiver, gpu->rays + pass, channels);
         else
             blend_cells(gpu, gl, input, &receiver, gpu->rays + pass, channels, pass == 0);
@@ -264,8 +269,8 @@ static void draw_slice(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct
     struct gpu_texture *sharp = gpu->sharp;
     double covariance[3];
     find_covariance(input, input->medium->ior, input->receivers[slice], map->width / input->setup->size, covariance);
-    coverage_disc_make(disc, covariance);
-    struct receiver receiver = add_cells(gpu, gl, input, passes, ior, map->width, slice);
+    coverage_disc_make(disc, map->width, covariance);
+    struct receiver receiver = add_cells(gpu, gl, input, passes, ior, slice);
     bool point = disc->count == 1;
     if (point) {
         texture_draw_to_layer(gl, map, slice);
@@ -276,7 +281,7 @@ static void draw_slice(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct
                        disc->level ? TEXTURE_LINEAR : TEXTURE_NEAREST);
         texture_draw_to(gl, sharp);
     }
-    if (gl->info.compute)
+    if (gpu->computed)
         resolve(gpu, gl, &receiver);
     else
         fold(gpu, gl, input, &receiver);
@@ -291,7 +296,8 @@ bool coverage_gpu_draw(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct
 {
     double iors[3];
     int passes = input->medium->dispersion > 0 ? 3 : 1;
-    if (!build_programs(gpu, gl) || (gl->info.compute && !resize_light(gpu, gl, map->width)))
+    gpu->computed = is_computed(gl, map->width);
+    if (!build_programs(gpu, gl) || (gpu->computed && !resize_light(gpu, gl, map->width)))
         return false;
     water_refractive_indices(input->medium, iors);
     if (passes == 1)
