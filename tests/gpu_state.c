@@ -130,7 +130,7 @@ static void call_everything(struct fixture *fixture, enum dpl_device device, boo
         disturb(fixture);                                                                                              \
     __VA_ARGS__;                                                                                                       \
     expect_state(fixture, text, framebuffer, viewport)
-    struct dpl_gl_options options = {.get_proc_address = state_get_function};
+    struct dpl_gl_options options = {.get_proc_address = state_get_function, .plain = !disturbed};
     const struct dpl_log *log = &fixture->log.log;
     const struct dpl_scene *scene = fixture->scene;
     CALL("dpl_gl_create", 0, NULL, fixture->guest = dpl_gl_create(&options, log));
@@ -139,6 +139,8 @@ static void call_everything(struct fixture *fixture, enum dpl_device device, boo
     struct dpl_renderer *renderer = fixture->renderer;
     for (int frame = 0; frame < 3; frame++) {
         struct dpl_image *image;
+        if (frame == 1 && device == DPL_DEVICE_GL)
+            support_set(fixture->scene, "caustics.technique", "coverage");
         if (frame == 2) { /* water from the CPU, no blur, one sample */
             support_set(fixture->scene, "water.model", "collard");
             support_set(fixture->scene, "caustics.blur", "0");

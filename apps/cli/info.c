@@ -48,6 +48,8 @@ static void report_gl_json(const struct report *report, struct json *json)
     json_bool(json, "float_blend", info->float_blend);
     json_number(json, "texture_max", info->texture_max);
     json_number(json, "samples_max", info->samples_max);
+    json_number(json, "point_max", info->point_max);
+    json_number(json, "storage_max", info->storage_max);
     json_open(json, "fallbacks", '[');
     for (int i = 0; dpl_gl_fallback(report->gl, i); i++)
         json_text(json, NULL, dpl_gl_fallback(report->gl, i));
@@ -87,6 +89,7 @@ static void report_gl_text(const struct report *report)
     printf("OpenGL         %s%s\n", info->version, info->software ? ", on the CPU" : "");
     printf("texture side   at most %d\n", info->texture_max);
     printf("samples        at most %d a pixel\n", info->samples_max);
+    printf("points         at most %d pixels wide\n", info->point_max);
     printf("float targets  %s\n", yes(info->float_render));
     printf("timer queries  %s\n", yes(info->timer_queries));
     printf("wireframe      %s\n", yes(info->polygon_mode));

@@ -61,6 +61,8 @@ struct dpl_gl_info {
     bool float_blend;   /* can add up 32-bit floats by blending */
     int texture_max;    /* largest side of a texture, texels */
     int samples_max;    /* most samples a pixel */
+    int point_max;      /* widest point, pixels */
+    int storage_max;    /* largest storage buffer, bytes */
 };
 DPL_API const struct dpl_gl_info *dpl_gl_describe(const struct dpl_gl *gl);
 

@@ -82,6 +82,7 @@ static void detect_compute(struct dpl_gl *gl, const struct dpl_gl_options *optio
     if (options->plain || !is_version(gl, 43, 31))
         return;
     gl->GetIntegerv(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, &blocks);
+    gl->GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &gl->info.storage_max);
     if (blocks < STORAGE_BUFFERS)
         return;
     gl->DispatchCompute = (PFNGLDISPATCHCOMPUTEPROC)options->get_proc_address(options->user, "glDispatchCompute");
@@ -91,8 +92,12 @@ static void detect_compute(struct dpl_gl *gl, const struct dpl_gl_options *optio
 
 static void detect_abilities(struct dpl_gl *gl, const struct dpl_gl_options *options)
 {
+    enum { ALIASED_POINT_SIZE_RANGE = 0x846D }; /* OpenGL ES's name, which the core profile dropped */
+    GLint points[2] = {1, 1};
     gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &gl->info.texture_max);
     gl->GetIntegerv(GL_MAX_SAMPLES, &gl->info.samples_max);
+    gl->GetIntegerv(gl->info.es ? ALIASED_POINT_SIZE_RANGE : GL_POINT_SIZE_RANGE, points);
+    gl->info.point_max = points[1];
     gl->info.float_render =
         texture_can_render(gl, GL_RGBA32F) && texture_can_render(gl, GL_RGBA16F) && texture_can_render(gl, GL_R16F);
     gl->info.timer_queries = !gl->info.es || has_extension(gl, "GL_EXT_disjoint_timer_query");

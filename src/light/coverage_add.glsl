@@ -27,14 +27,15 @@ void main()
     if (index.x >= cells || index.y >= cells)
         return;
     image i = make_image(index);
-    ivec2 first = i.first;
+    ivec2 first = i.first, texel;
     if (periodic != 0)
-        first = ((first % side) + side) % side;
-    for (int z = 0; z < i.count.y; z++) {
-        for (int x = 0; x < i.count.x; x++) {
-            ivec2 texel = first + ivec2(x, z);
-            if (periodic != 0)
-                texel %= side;
+        first -= side * ivec2(floor(vec2(first) / float(side)));
+    texel.y = first.y;
+    for (int z = 0; z < i.count.y; z++, texel.y++) {
+        texel.y = periodic != 0 && texel.y == side ? 0 : texel.y;
+        texel.x = first.x;
+        for (int x = 0; x < i.count.x; x++, texel.x++) {
+            texel.x = periodic != 0 && texel.x == side ? 0 : texel.x;
             if (min(texel.x, texel.y) >= 0 && max(texel.x, texel.y) < side)
                 add(i, texel, vec2(float(x), float(z)));
         }

@@ -48,14 +48,18 @@ static void fit(const double covariance[3], double wanted, double cells[SIDE][SI
     }
 }
 
-void coverage_disc_make(struct coverage_disc *disc, const double covariance[3])
+void coverage_disc_make(struct coverage_disc *disc, int side, const double covariance[3])
 {
-    if (disc->count && !memcmp(disc->covariance, covariance, sizeof disc->covariance))
+    if (disc->count && disc->map_side == side && !memcmp(disc->covariance, covariance, sizeof disc->covariance))
         return;
     double cells[SIDE][SIDE], texel = 1, radius = 2 * sqrt(fmax(covariance[0], covariance[2]));
     disc->level = 0;
-    for (; radius / texel > RADIUS_MAX && disc->level < COVERAGE_LEVELS - 1; texel *= 2)
+    disc->side = side;
+    while (radius / texel > RADIUS_MAX && disc->side > 1) {
         disc->level++;
+        disc->side = (disc->side + 1) / 2;
+        texel = (double)side / disc->side;
+    }
     double square = texel * texel;
     double small[3] = {covariance[0] / square, covariance[1] / square, covariance[2] / square};
     /* Larger texels, and values between them, smear by 1/12 and 1/6 along each axis; the map's own by 1/12 of theirs.
@@ -70,5 +74,6 @@ void coverage_disc_make(struct coverage_disc *disc, const double covariance[3])
         tap[2] = (float)cells[i / SIDE][i % SIDE];
         disc->count += tap[2] > 0 && disc->count + 1 < COVERAGE_TAPS;
     }
+    disc->map_side = side;
     memcpy(disc->covariance, covariance, sizeof disc->covariance);
 }

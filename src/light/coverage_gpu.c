@@ -1,6 +1,7 @@
 /* The GPU's half of coverage.c.
  *
- * Light is added up as whole numbers by compute shaders, so that the order of the additions does not show. */
+ * Light is added up as whole numbers by compute shaders, so that the order of the additions does not show; where there
+ * are none, by blending, whose order OpenGL fixes, into a target with a margin, as what is drawn cannot wrap round. */
 #include "light/coverage_gpu.h"
 
 #include "base/log.h"
@@ -10,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define CELL_MAX 16  /* texels; larger cells are split, for points are not drawn in any size */
 #define UNIT 65536.0 /* whole numbers in the light of flat water: the brightest texel may be 65536 times as bright */
 
 /* One picture of the surface's cells on one receiver. */
@@ -17,11 +19,18 @@ struct receiver {
     double height;  /* m */
     double flat[3]; /* u, v, q of flat water */
     double absorption[3];
-    double offset[2]; /* texels, from the map's corner to where flat water has the first vertex */
-    int side, level;  /* texels of the sharp map */
-    int cells;        /* a side of the surface */
-    double cell;      /* texels */
+    double offset[2];   /* texels, from the map's corner to where flat water has the first vertex */
+    int side, level;    /* texels of the sharp map */
+    int cells, split;   /* a side of the surface, and that each of them is split into */
+    double cell;        /* texels, of what is split */
+    int widest, margin; /* texels of a cell's image; of the blended light */
 };
+
+/* Whether light of a map of that side is added up by compute shaders: a buffer must hold it. */
+static bool is_computed(const struct dpl_gl *gl, int side)
+{
+    return gl->info.compute && (double)side * side * 3 * sizeof(GLint) <= gl->info.storage_max;
+}
 
 static bool is_upwards(const struct light_input *input)
 {
@@ -83,9 +92,11 @@ static void bind_cells(struct dpl_gl *gl, const struct gpu_program *program, con
     program_float(gl, program, "receiver", receiver->height);
     program_float(gl, program, "cell", receiver->cell);
     program_float(gl, program, "texels_a_meter", receiver->side / input->setup->size);
-    program_float(gl, program, "widest", 64 + 4 * receiver->cell);
+    program_float(gl, program, "widest", receiver->widest);
+    program_int(gl, program, "split", receiver->split);
+    program_int(gl, program, "margin", receiver->margin);
     program_int(gl, program, "side", receiver->side);
-    program_int(gl, program, "cells", receiver->cells);
+    program_int(gl, program, "cells", receiver->cells * receiver->split);
     program_int(gl, program, "periodic", input->surface_gpu->periodic);
     program_float(gl, program, "unit", UNIT);
 }
@@ -108,15 +119,56 @@ static bool resize_light(struct coverage_gpu *gpu, struct dpl_gl *gl, int side)
     return true;
 }
 
-static void add_cells(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct light_input *input,
-                      const struct receiver *receiver, const struct gpu_texture *rays, const double channels[3])
+static void compute_cells(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct light_input *input,
+                          const struct receiver *receiver, const struct gpu_texture *rays, const double channels[3])
 {
-    GLuint groups = (GLuint)(receiver->cells + 7) / 8;
+    GLuint groups = (GLuint)(receiver->cells * receiver->split + 7) / 8;
     bind_cells(gl, &gpu->add_program, input, receiver, rays, channels);
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, gpu->light);
     gl->DispatchCompute(groups, groups, 1);
 }
 
+/* `first`: of the passes that draw on this receiver. */
+static void blend_cells(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct light_input *input,
+                        const struct receiver *receiver, const struct gpu_texture *rays, const double channels[3],
+                        bool first)
+{
+    int side = receiver->side + 2 * receiver->margin, cells = receiver->cells * receiver->split;
+    struct gpu_texture *blended = gpu->blended + receiver->level;
+    texture_resize(gl, blended, gl->info.float_blend ? GL_RGBA32F : GL_RGBA16F, side, side, TEXTURE_CLAMP,
+                   TEXTURE_NEAREST);
+    texture_draw_to(gl, blended);
+    gl->ClearColor(0, 0, 0, 0);
+    if (first)
+        gl->Clear(GL_COLOR_BUFFER_BIT);
+    bind_cells(gl, &gpu->points_program, input, receiver, rays, channels);
+    if (!gl->info.es)
+        gl->Enable(GL_PROGRAM_POINT_SIZE);
+    gl->Enable(GL_BLEND);
+    gl->BlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+    gl->BindVertexArray(gl->empty_array);
+    gl->DrawArrays(GL_POINTS, 0, cells * cells);
+    gl->Disable(GL_BLEND);
+    if (!gl->info.es)
+        gl->Disable(GL_PROGRAM_POINT_SIZE);
+}
+
+/* What was blended, into the framebuffer. */
+static void fold(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct light_input *input,
+                 const struct receiver *receiver)
+{
+    const struct gpu_program *program = &gpu->fold_program;
+    program_use(gl, program);
+    texture_bind(gl, gpu->blended + receiver->level, 0);
+    program_int(gl, program, "blended", 0);
+    program_int(gl, program, "side", receiver->side);
+    program_int(gl, program, "margin", receiver->margin);
+    program_int(gl, program, "repeats",
+                input->surface_gpu->periodic ? (receiver->margin + receiver->side - 1) / receiver->side : 0);
+    gpu_draw_screen(gl);
+}
+
+/* What was computed, into the framebuffer. */
 static void resolve(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct receiver *receiver)
 {
     gl->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -160,16 +212,19 @@ static void find_covariance(const struct light_input *input, double ior, double 
     covariance[2] = (axes[0][1] * axes[0][1] + axes[1][1] * axes[1][1]) / 4;
 }
 
-static struct receiver find_receiver(const struct light_input *input, int slice, double ior, int side, int level)
+static struct receiver find_receiver(const struct dpl_gl *gl, const struct light_input *input, int slice, double ior,
+                                     const struct coverage_disc *disc)
 {
     const struct surface_gpu *surface = input->surface_gpu;
-    struct receiver receiver = {.height = input->receivers[slice], .level = level};
+    struct receiver receiver = {.height = input->receivers[slice], .side = disc->side, .level = disc->level};
     double sun[3];
     optics_sun_direction(input->sun, sun);
     flat_ray(sun, ior, is_upwards(input), receiver.flat);
-    receiver.side = (side + (1 << level) - 1) >> level;
     receiver.cells = surface->texels.width - (surface->periodic ? 0 : 1);
-    receiver.cell = (double)receiver.side / receiver.cells;
+    receiver.split = receiver.side / receiver.cells / CELL_MAX + 1;
+    receiver.cell = (double)receiver.side / receiver.cells / receiver.split;
+    receiver.widest = (int)fmin(64 + 4 * receiver.cell, gl->info.point_max - 2);
+    receiver.margin = receiver.widest / 2 + 2;
     for (int i = 0; i < 2; i++) {
         receiver.offset[i] = receiver.flat[i] * receiver.height / input->setup->size * receiver.side;
         if (surface->periodic)
@@ -182,41 +237,59 @@ static struct receiver find_receiver(const struct light_input *input, int slice,
 
 static bool build_programs(struct coverage_gpu *gpu, struct dpl_gl *gl)
 {
-    return program_ready(gl, &gpu->rays_program, "light/coverage_rays.glsl", "") &&
-           program_ready(gl, &gpu->resolve_program, "light/coverage_resolve.glsl", "") &&
-           program_ready(gl, &gpu->disc_program, "light/coverage_disc.glsl", "") &&
-           program_compute_ready(gl, &gpu->add_program, "light/coverage_add.glsl", "");
+    bool built = program_ready(gl, &gpu->rays_program, "light/coverage_rays.glsl", "") &&
+                 program_ready(gl, &gpu->disc_program, "light/coverage_disc.glsl", "");
+    if (gpu->computed)
+        return built && program_compute_ready(gl, &gpu->add_program, "light/coverage_add.glsl", "") &&
+               program_ready(gl, &gpu->resolve_program, "light/coverage_resolve.glsl", "");
+    return built && program_ready(gl, &gpu->points_program, "light/coverage_points.glsl", "") &&
+           program_ready(gl, &gpu->fold_program, "light/coverage_fold.glsl", "");
 }
 
-/* `passes`: 1, or 3 with an index for each colour. */
-static bool draw_slice(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct light_input *input, int passes,
-                       const double *ior, struct gpu_texture *map, int slice)
+/* The light of a point sun. `passes`: 1, or 3 with an index for each colour. */
+static struct receiver add_cells(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct light_input *input,
+                                 int passes, const double *ior, int slice)
 {
     static const double all[3] = {1, 1, 1}, one[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    struct coverage_disc *disc = gpu->discs + slice;
-    double covariance[3];
-    find_covariance(input, input->medium->ior, input->receivers[slice], map->width / input->setup->size, covariance);
-    coverage_disc_make(disc, covariance);
     struct receiver receiver = {0};
     for (int pass = 0; pass < passes; pass++) {
-        receiver = find_receiver(input, slice, ior[pass], map->width, disc->level);
-        add_cells(gpu, gl, input, &receiver, gpu->rays + pass, passes == 1 ? all : one[pass]);
+        const double *channels = passes == 1 ? all : one[pass];
+        receiver = find_receiver(gl, input, slice, ior[pass], gpu->discs + slice);
+        if (gpu->computed)
+            compute_cells(gpu, gl, input, &receiver, gpu->rays + pass, channels);
+        else
+            blend_cells(gpu, gl, input, &receiver, gpu->rays + pass, channels, pass == 0);
     }
+    return receiver;
+}
+
+static void draw_slice(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct light_input *input, int passes,
+                       const double *ior, struct gpu_texture *map, int slice)
+{
+    struct coverage_disc *disc = gpu->discs + slice;
+    struct gpu_texture *sharp = gpu->sharp;
+    double covariance[3];
+    find_covariance(input, input->medium->ior, input->receivers[slice], map->width / input->setup->size, covariance);
+    coverage_disc_make(disc, map->width, covariance);
+    struct receiver receiver = add_cells(gpu, gl, input, passes, ior, slice);
     bool point = disc->count == 1;
-    struct gpu_texture *sharp = gpu->sharp + disc->level;
     if (point) {
         texture_draw_to_layer(gl, map, slice);
-        resolve(gpu, gl, &receiver);
-        return true;
+    } else {
+        sharp += disc->level;
+        texture_resize(gl, sharp, disc->level ? GL_RGBA16F : GL_RGBA32F, receiver.side, receiver.side,
+                       input->surface_gpu->periodic ? TEXTURE_REPEAT : TEXTURE_CLAMP,
+                       disc->level ? TEXTURE_LINEAR : TEXTURE_NEAREST);
+        texture_draw_to(gl, sharp);
     }
-    texture_resize(gl, sharp, GL_RGBA16F, receiver.side, receiver.side,
-                   input->surface_gpu->periodic ? TEXTURE_REPEAT : TEXTURE_CLAMP,
-                   disc->level ? TEXTURE_LINEAR : TEXTURE_NEAREST);
-    texture_draw_to(gl, sharp);
-    resolve(gpu, gl, &receiver);
-    texture_draw_to_layer(gl, map, slice);
-    draw_disc(gpu, gl, input, disc);
-    return true;
+    if (gpu->computed)
+        resolve(gpu, gl, &receiver);
+    else
+        fold(gpu, gl, input, &receiver);
+    if (!point) {
+        texture_draw_to_layer(gl, map, slice);
+        draw_disc(gpu, gl, input, disc);
+    }
 }
 
 bool coverage_gpu_draw(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct light_input *input,
@@ -224,7 +297,8 @@ bool coverage_gpu_draw(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct
 {
     double iors[3];
     int passes = input->medium->dispersion > 0 ? 3 : 1;
-    if (!build_programs(gpu, gl) || !resize_light(gpu, gl, map->width))
+    gpu->computed = is_computed(gl, map->width);
+    if (!build_programs(gpu, gl) || (gpu->computed && !resize_light(gpu, gl, map->width)))
         return false;
     water_refractive_indices(input->medium, iors);
     if (passes == 1)
@@ -232,8 +306,7 @@ bool coverage_gpu_draw(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct
     for (int pass = 0; pass < passes; pass++)
         draw_rays(gpu, gl, input, iors[pass], gpu->rays + pass);
     for (int slice = 0; slice < input->slices; slice++)
-        if (!draw_slice(gpu, gl, input, passes, iors, map, slice))
-            return false;
+        draw_slice(gpu, gl, input, passes, iors, map, slice);
     return true;
 }
 
@@ -241,12 +314,16 @@ void coverage_gpu_finish(struct coverage_gpu *gpu, struct dpl_gl *gl)
 {
     program_finish(gl, &gpu->rays_program);
     program_finish(gl, &gpu->add_program);
+    program_finish(gl, &gpu->points_program);
     program_finish(gl, &gpu->resolve_program);
+    program_finish(gl, &gpu->fold_program);
     program_finish(gl, &gpu->disc_program);
     for (int i = 0; i < 3; i++)
         texture_finish(gl, gpu->rays + i);
-    for (int i = 0; i < COVERAGE_LEVELS; i++)
+    for (int i = 0; i < COVERAGE_LEVELS; i++) {
         texture_finish(gl, gpu->sharp + i);
+        texture_finish(gl, gpu->blended + i);
+    }
     gl->DeleteBuffers(1, &gpu->light);
     *gpu = (struct coverage_gpu){0};
 }

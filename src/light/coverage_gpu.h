@@ -13,20 +13,22 @@
 
 /* The footprint of the sun's disc on one receiver: weights of the texels of the sharp map. */
 struct coverage_disc {
-    double covariance[3];         /* that it was made for, in texels of the map: xx, xz, zz */
-    int level;                    /* the sharp map has 2^level fewer texels a side than the map */
-    int count;                    /* 0: not made */
+    int map_side;                 /* texels of the map that it was made for */
+    double covariance[3];         /* likewise, in texels of the map: xx, xz, zz */
+    int level, side;              /* the sharp map's side: the map's, halved `level` times and rounded up */
+    int count;                    /* 0: not made; 1: a point sun, or one that is no wider than a texel */
     float taps[COVERAGE_TAPS][4]; /* x, z, weight */
 };
 
 /* All zero: none yet. */
 struct coverage_gpu {
     struct gpu_program rays_program, add_program, points_program, resolve_program, fold_program, disc_program;
-    struct gpu_texture rays[3];                /* one, or one for each of red green blue */
-    GLuint light, points_array;                /* whole numbers: three for each texel */
-    int light_side;                            /* texels a side that it holds */
-    struct gpu_texture blended;                /* in place of `light`, where there is no compute: with a margin */
-    struct gpu_texture sharp[COVERAGE_LEVELS]; /* a point sun's light */
+    struct gpu_texture rays[3];                  /* one, or one for each of red green blue */
+    bool computed;                               /* by compute shaders; otherwise by blending */
+    GLuint light;                                /* whole numbers: three for each texel */
+    int light_side;                              /* texels a side that it holds */
+    struct gpu_texture blended[COVERAGE_LEVELS]; /* in place of `light`, where there is no compute: with a margin */
+    struct gpu_texture sharp[COVERAGE_LEVELS];   /* a point sun's light */
     struct coverage_disc discs[LIGHT_SLICES_MAX];
 };
 
@@ -36,6 +38,6 @@ bool coverage_gpu_draw(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct
 void coverage_gpu_finish(struct coverage_gpu *gpu, struct dpl_gl *gl);
 
 /* Brings the footprint up to date. */
-void coverage_disc_make(struct coverage_disc *disc, const double covariance[3]);
+void coverage_disc_make(struct coverage_disc *disc, int side, const double covariance[3]);
 
 #endif
