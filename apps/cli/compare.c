@@ -15,7 +15,7 @@
 #define RUNS 5           /* of a technique that are timed; one before them is not */
 #define SECONDS_ENOUGH 3 /* after them no further run is started */
 
-/* The i-th technique, or NULL past the last. */
+/* The technique of that name; NULL-named: there is none. */
 static struct dpl_entry find_technique(const char *name)
 {
     int i = 0;
@@ -135,10 +135,12 @@ static bool make_and_time_map(struct compare *compare, struct comparison *compar
         samples[runs++] = map_milliseconds(compare->session.renderer);
     } while (comparison->map && runs < left_out * (RUNS + 1) &&
              (runs < 2 || clock_seconds() - started < SECONDS_ENOUGH));
+    if (!comparison->map)
+        return false;
     runs -= left_out;
     qsort(samples + left_out, (size_t)runs, sizeof *samples, compare_numbers);
     comparison->milliseconds = (samples[left_out + (runs - 1) / 2] + samples[left_out + runs / 2]) / 2;
-    return comparison->map != NULL;
+    return true;
 }
 
 static bool measure_technique(struct compare *compare, struct comparison *comparison)
