@@ -195,7 +195,8 @@ rm -rf ./*
 
 # --- compare ---
 compared="--map 32 --size 64x36 --set reference.photons=16"
-for command in "compare" "compare --technique multi-sample" "compare --against multi-sample --technique reference"; do
+run 0 "$dapple" compare $compared && says 'coverage  '
+for command in "compare --technique multi-sample" "compare --against multi-sample --technique reference"; do
     works $command $compared && says 'technique       error %    p99 %   energy     gain     FLIP        ms'
     grep -Eq '^(multi-sample|reference) +[0-9.]+ ' "$out" || fail "$command: no row"
 done
@@ -211,13 +212,13 @@ works compare $compared --against multi-sample --technique multi-sample --device
 json 'o["techniques"][0]["flip"] is None and o["techniques"][0]["error"] == 0 and o["techniques"][0]["gain"] == 1'
 holds sheet.exr
 # a technique that cannot serve the scene is a row with the reason
-works compare $compared --set caustics.ceiling=2 -o sheet.png && says 'multi-sample   not shown: ' && holds sheet.png
-works compare $compared --set caustics.ceiling=2 --json && json 'o["techniques"][0]["failure"]'
+works compare $compared --technique multi-sample --set caustics.ceiling=2 -o sheet.png && says 'multi-sample   not shown: ' && holds sheet.png
+works compare $compared --technique multi-sample --set caustics.ceiling=2 --json && json 'o["techniques"][0]["failure"]'
 # a reference that is too noisy to tell
 run 0 "$dapple" compare $compared --technique multi-sample --set reference.photons=1 --set collard.amplitude=0.01
 grep -q '^dapple: warning: reference: its noise of ' "$err" || fail 'no warning of a noisy reference'
-works compare --seconds 0.1 $compared --map 64 --set reference.photons=100000 --set reference.noise=0
-refuses 2 '--against: no such technique: "magic" (accepted: multi-sample' compare --against magic -o sheet.png
+works compare --seconds 0.1 $compared --technique multi-sample --map 64 --set reference.photons=100000 --set reference.noise=0
+refuses 2 '--against: no such technique: "magic" (accepted: coverage' compare --against magic -o sheet.png
 refuses 2 'caustics.technique: no such choice: "magic"' compare --technique multi-sample --technique magic -o sheet.png
 refuses 2 'accepted: .png, .exr, .pfm' compare -o sheet.jpg
 refuses 2 'cannot be written' compare -o missing/sheet.png

@@ -150,6 +150,37 @@ static void maps_are_measured(void **state)
     finish(&fixture);
 }
 
+static bool stop(void *user, double done)
+{
+    *(double *)user = done;
+    return false;
+}
+
+/* What refines its map step by step goes on with each picture of the same time, and starts anew with another. */
+static void a_still_reference_gets_better(void **state)
+{
+    struct fixture fixture;
+    struct dpl_compare compare = {DPL_COMPARE_SPLIT, technique("reference"), 0.5, 1, 1};
+    double done = 0, noise = INFINITY;
+    (void)state;
+    start(&fixture, false);
+    support_set(fixture.scene, "reference.photons", "100000");
+    dpl_renderer_progress(fixture.renderer, stop, &done);
+    for (int i = 0; i < 8; i++) {
+        double before = done;
+        dpl_image_destroy(picture(&fixture, "multi-sample", &compare));
+        assert_true(done > before && done < 1);
+        if (i % 4 == 3) { /* chance makes single steps uneven */
+            assert_true(dpl_renderer_noise(fixture.renderer) < noise);
+            noise = dpl_renderer_noise(fixture.renderer);
+        }
+    }
+    double before = done;
+    dpl_image_destroy(dpl_renderer_picture(fixture.renderer, fixture.scene, 1.1, WIDTH, HEIGHT));
+    assert_true(done < before);
+    finish(&fixture);
+}
+
 int main(void)
 {
     if (!support_has_gl())
@@ -159,6 +190,7 @@ int main(void)
         cmocka_unit_test(each_part_is_what_its_technique_draws_es),
         cmocka_unit_test(differences_have_their_colors),
         cmocka_unit_test(maps_are_measured),
+        cmocka_unit_test(a_still_reference_gets_better),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,6 +2,7 @@
 #include "viewer/viewer.h"
 
 #include "viewer/clock.h"
+#include "viewer/compare.h"
 #include "viewer/document.h"
 #include "viewer/input.h"
 #include "viewer/panel.h"
@@ -27,6 +28,7 @@ struct viewer {
     struct panel *panel;
     struct input input;
     struct viewer_clock clock;
+    struct viewer_compare compare;
     struct watch watch;
     double frame_seconds; /* mean of the last frames, real time */
     bool hidden;
@@ -115,14 +117,6 @@ static void time_passes(struct viewer *viewer)
     dpl_renderer_time_passes(viewer->renderer, queries ? DPL_TIMING_QUERIES : DPL_TIMING_WAIT, glfwGetTime);
 }
 
-/* A map that is refined gets one step a frame, so that the window never waits for it. */
-static bool take_as_it_is(void *user, double done)
-{
-    (void)user;
-    (void)done;
-    return false;
-}
-
 static bool start(struct viewer *viewer)
 {
     const struct viewer_options *options = viewer->options;
@@ -137,8 +131,8 @@ static bool start(struct viewer *viewer)
     viewer->panel = panel_create(viewer->window);
     if (!viewer->renderer || !viewer->panel)
         return say(viewer, DPL_LOG_ERROR, DPL_REASON_LIMIT, "window: memory is short");
-    dpl_renderer_progress(viewer->renderer, take_as_it_is, NULL);
     time_passes(viewer);
+    compare_start(&viewer->compare, viewer->renderer, glfwGetTime);
     watch_start(&viewer->watch, viewer->document.path, options->shader_folder);
     clock_start(&viewer->clock, options->time, glfwGetTime());
     return true;
@@ -237,10 +231,13 @@ static void obey(struct viewer *viewer, const struct commands *commands, int wid
 
 static void draw(struct viewer *viewer, int width, int height)
 {
+    compare_begin_frame(&viewer->compare, viewer->renderer);
     bool drawn = dpl_renderer_draw(viewer->renderer, viewer->document.scene, viewer->clock.time, 0, width, height);
+    compare_end_frame(&viewer->compare, viewer->renderer, drawn);
     struct panel_view view = {
         .document = &viewer->document,
         .clock = &viewer->clock,
+        .compare = &viewer->compare,
         .renderer = viewer->renderer,
         .device = dpl_gl_describe(viewer->gl)->renderer,
         .width = width,
