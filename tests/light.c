@@ -199,6 +199,7 @@ static void a_sun_map_from_a_file_is_used(void **state)
     char folder[64], path[128];
     support_folder_make(folder);
     snprintf(path, sizeof path, "%s/sun.png", folder);
+    support_set(fixture->scene, "caustics.technique", "multi-sample");
     support_set(fixture->scene, "multi-sample.sun_map", "%s", path);
     assert_null(dpl_renderer_map(fixture->renderer, fixture->scene, 1));
     EXPECT_ERROR(&fixture->log, DPL_REASON_FILE_READ, path);

@@ -148,14 +148,14 @@ static void trace_band(const struct task *task, const struct room *room, int fir
     }
 }
 
-/* From lines of one colour to texels of three. */
+/* From lines of one colour to texels of three, without what rounding leaves below 0. */
 static void write_band(const struct task *task, const struct room *room, int first, int count, int color, float *texels)
 {
     size_t side = (size_t)task->side;
     for (size_t r = 0; r < (size_t)count; r++)
         for (size_t c = 0; c < 3; c++)
             for (size_t i = 0; (color < 0 || (size_t)color == c) && i < side; i++)
-                texels[(((size_t)first + r) * side + i) * 3 + c] = room->out[(r * 3 + c) * side + i];
+                texels[(((size_t)first + r) * side + i) * 3 + c] = vector_positive(room->out[(r * 3 + c) * side + i]);
 }
 
 bool coverage_bands_trace(struct coverage_bands *bands, const struct coverage_cells *cells,

@@ -6,7 +6,9 @@
 
 #define REACH 7 /* texels from the middle that a footprint may touch */
 #define SIDE (2 * REACH + 1)
-#define RADIUS_MAX 5.5 /* texels; a wider one is drawn with larger texels */
+#define RADIUS_POINT 0.02 /* texels; narrower is a point */
+#define RADIUS_MIN 1.1    /* texels; narrower than that between texels counts */
+#define RADIUS_MAX 5.5    /* texels; a wider one is drawn with larger texels */
 
 /* The share of a uniform ellipse in each texel. */
 static void rasterise(const double covariance[3], double cells[SIDE][SIDE])
@@ -50,11 +52,15 @@ static void fit(const double covariance[3], double wanted, double cells[SIDE][SI
 
 void coverage_disc_make(struct coverage_disc *disc, int side, const double covariance[3])
 {
-    if (disc->count && disc->map_side == side && !memcmp(disc->covariance, covariance, sizeof disc->covariance))
+    if (disc->map_side == side && !memcmp(disc->covariance, covariance, sizeof disc->covariance))
         return;
+    *disc = (struct coverage_disc){.map_side = side, .side = side};
+    memcpy(disc->covariance, covariance, sizeof disc->covariance);
     double cells[SIDE][SIDE], texel = 1, radius = 2 * sqrt(fmax(covariance[0], covariance[2]));
-    disc->level = 0;
-    disc->side = side;
+    if (radius < RADIUS_MIN) {
+        disc->narrow = radius > RADIUS_POINT;
+        return;
+    }
     while (radius / texel > RADIUS_MAX && disc->side > 1) {
         disc->level++;
         disc->side = (disc->side + 1) / 2;
@@ -66,7 +72,6 @@ void coverage_disc_make(struct coverage_disc *disc, int side, const double covar
      */
     double smeared = disc->level ? 2 * (1.0 / 12 + 1.0 / 6 - 1.0 / 12 / square) : 0;
     fit(small, small[0] + small[2] - smeared, cells);
-    disc->count = 0;
     for (int i = 0; i < SIDE * SIDE; i++) {
         float *tap = disc->taps[disc->count];
         tap[0] = (float)(i % SIDE - REACH);
@@ -74,6 +79,4 @@ void coverage_disc_make(struct coverage_disc *disc, int side, const double covar
         tap[2] = (float)cells[i / SIDE][i % SIDE];
         disc->count += tap[2] > 0 && disc->count + 1 < COVERAGE_TAPS;
     }
-    disc->map_side = side;
-    memcpy(disc->covariance, covariance, sizeof disc->covariance);
 }

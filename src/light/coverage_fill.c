@@ -155,6 +155,16 @@ VECTOR_PART void fill_cell(const struct band *band, int low, int i, int j)
             fill_point(band, low, right_x, right_z, here[k]);
 }
 
+static float lesser(float a, float b)
+{
+    return a < b ? a : b;
+}
+
+static float greater(float a, float b)
+{
+    return a > b ? a : b;
+}
+
 /* Whether a stretch of the row's cells may hold light of the band's kind; if so, the heights that it reaches over. */
 static bool block_of(const struct band *band, int j, int b, float *least, float *most)
 {
@@ -165,11 +175,11 @@ static bool block_of(const struct band *band, int j, int b, float *least, float 
     for (int k = j > 0 ? j - 1 : 0; k <= j + 1 && k <= cells->rows; k++) {
         const struct coverage_block *block = cells->blocks + (size_t)k * (size_t)cells->blocks_across + (size_t)b;
         for (int a = 0; a < 2; a++) {
-            kinds[a][0] = fminf(kinds[a][0], block->least_kind[a]);
-            kinds[a][1] = fmaxf(kinds[a][1], block->most_kind[a]);
+            kinds[a][0] = lesser(kinds[a][0], block->least_kind[a]);
+            kinds[a][1] = greater(kinds[a][1], block->most_kind[a]);
         }
-        *least = k < j ? *least : fminf(*least, block->least_z);
-        *most = k < j ? *most : fmaxf(*most, block->most_z);
+        *least = k < j ? *least : lesser(*least, block->least_z);
+        *most = k < j ? *most : greater(*most, block->most_z);
     }
     const float rounding = 1 / COVERAGE_KIND_STEPS;
     for (int a = 0; a < 2; a++)

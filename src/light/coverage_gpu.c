@@ -19,8 +19,10 @@ struct receiver {
     double height;  /* m */
     double flat[3]; /* u, v, q of flat water */
     double absorption[3];
-    double offset[2];   /* texels, from the map's corner to where flat water has the first vertex */
-    int side, level;    /* texels of the sharp map */
+    double offset[2]; /* texels, from the map's corner to where flat water has the first vertex */
+    int side, level;  /* texels of the sharp map */
+    bool narrow;      /* see struct coverage_disc */
+    double ior;
     int cells, split;   /* a side of the surface, and that each of them is split into */
     double cell;        /* texels, of what is split */
     int widest, margin; /* texels of a cell's image; of the blended light */
@@ -74,6 +76,18 @@ static void draw_rays(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct 
     gpu_draw_screen(gl);
 }
 
+static void bind_sun(struct dpl_gl *gl, const struct gpu_program *program, const struct light_input *input, double ior)
+{
+    const struct optics_disc disc = optics_sun_disc(input->sun);
+    double above[3], beside[3];
+    optics_disc_place(&disc, (const double[2]){1, 0}, above);
+    optics_disc_place(&disc, (const double[2]){0, 1}, beside);
+    program_vec3(gl, program, "sun", disc.middle);
+    program_vec3(gl, program, "sun_rim[0]", above);
+    program_vec3(gl, program, "sun_rim[1]", beside);
+    program_float(gl, program, "ior", ior);
+}
+
 /* Sets the uniforms of coverage_cell.glsl. */
 static void bind_cells(struct dpl_gl *gl, const struct gpu_program *program, const struct light_input *input,
                        const struct receiver *receiver, const struct gpu_texture *rays, const double channels[3])
@@ -89,6 +103,8 @@ static void bind_cells(struct dpl_gl *gl, const struct gpu_program *program, con
     program_vec4s(gl, program, "offset", 1, offset);
     program_vec3(gl, program, "absorption", receiver->absorption);
     program_vec3(gl, program, "channels", channels);
+    program_int(gl, program, "narrow", receiver->narrow);
+    bind_sun(gl, program, input, receiver->ior);
     program_float(gl, program, "receiver", receiver->height);
     program_float(gl, program, "cell", receiver->cell);
     program_float(gl, program, "texels_a_meter", receiver->side / input->setup->size);
@@ -216,7 +232,11 @@ static struct receiver find_receiver(const struct dpl_gl *gl, const struct light
                                      const struct coverage_disc *disc)
 {
     const struct surface_gpu *surface = input->surface_gpu;
-    struct receiver receiver = {.height = input->receivers[slice], .side = disc->side, .level = disc->level};
+    struct receiver receiver = {.height = input->receivers[slice],
+                                .side = disc->side,
+                                .level = disc->level,
+                                .narrow = disc->narrow,
+                                .ior = ior};
     double sun[3];
     optics_sun_direction(input->sun, sun);
     flat_ray(sun, ior, is_upwards(input), receiver.flat);
@@ -272,8 +292,7 @@ static void draw_slice(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct
     find_covariance(input, input->medium->ior, input->receivers[slice], map->width / input->setup->size, covariance);
     coverage_disc_make(disc, map->width, covariance);
     struct receiver receiver = add_cells(gpu, gl, input, passes, ior, slice);
-    bool point = disc->count == 1;
-    if (point) {
+    if (disc->count == 0) {
         texture_draw_to_layer(gl, map, slice);
     } else {
         sharp += disc->level;
@@ -286,7 +305,7 @@ static void draw_slice(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct
         resolve(gpu, gl, &receiver);
     else
         fold(gpu, gl, input, &receiver);
-    if (!point) {
+    if (disc->count > 0) {
         texture_draw_to_layer(gl, map, slice);
         draw_disc(gpu, gl, input, disc);
     }

@@ -13,10 +13,11 @@
 
 /* The footprint of the sun's disc on one receiver: weights of the texels of the sharp map. */
 struct coverage_disc {
-    int map_side;                 /* texels of the map that it was made for */
+    int map_side;                 /* texels of the map that it was made for; 0: not made */
     double covariance[3];         /* likewise, in texels of the map: xx, xz, zz */
     int level, side;              /* the sharp map's side: the map's, halved `level` times and rounded up */
-    int count;                    /* 0: not made; 1: a point sun, or one that is no wider than a texel */
+    bool narrow;                  /* too narrow to be smeared: each cell spreads its own light */
+    int count;                    /* of taps; 0: nothing is smeared */
     float taps[COVERAGE_TAPS][4]; /* x, z, weight */
 };
 
