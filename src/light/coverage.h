@@ -14,7 +14,7 @@
 
 #define COVERAGE_BLOCK 16    /* cells of a row that are filled or skipped together */
 #define COVERAGE_KINDS_MAX 9 /* along either axis */
-#define COVERAGE_FINENESS_MAX 4
+#define COVERAGE_FINENESS_MAX 8
 
 /* Section [coverage]. */
 struct coverage {

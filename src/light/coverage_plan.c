@@ -115,15 +115,16 @@ static int count_kinds(double change, double error)
     return count;
 }
 
-/* Texels computed along each side of one of the map. What one texel too coarse adds was measured: most where the disc
- * is about a texel wide, with the square of the fineness less, and little above the depth where crests focus. */
+/* Texels computed along each side of one of the map. What smearing whole texels adds was measured: most where the disc's
+ * radius is a texel, less the finer they are, and little where crests do not focus yet. */
 static int choose_fineness(const struct coverage_flat *flat, const struct slopes *slopes, double receiver,
                            double radius, double error)
 {
     double power = flat->upwards ? 2 : 1 - 1 / flat->ior;                  /* of a curved surface as a lens or mirror */
     double focusing = fmin(fabs(receiver) * power * slopes->curvature, 1); /* 1: in focus */
-    double coarse = 0.075 * fmin(pow(radius, -1.75), radius * radius) * pow(focusing, 3.5);
-    return (int)fmin(fmax(ceil(pow(coarse / error, 1 / 2.3)), 1), COVERAGE_FINENESS_MAX);
+    double coarse = 0.075 * fmin(pow(radius, -1.75), pow(radius, 0.6)) * pow(focusing, 3.5);
+    double order = radius < 0.7 ? 1.5 : 2.3;
+    return (int)fmin(fmax(ceil(pow(coarse / error, 1 / order)), 1), COVERAGE_FINENESS_MAX);
 }
 
 static void set_kinds(struct coverage_plan *plan, const struct slopes *slopes)
