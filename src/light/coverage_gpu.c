@@ -21,7 +21,7 @@ struct receiver {
     double absorption[3];
     double offset[2]; /* texels, from the map's corner to where flat water has the first vertex */
     int side, level;  /* texels of the sharp map */
-    bool narrow;      /* see struct coverage_disc */
+    double own_share; /* see struct coverage_disc */
     double ior;
     int cells, split;   /* a side of the surface, and that each of them is split into */
     double cell;        /* texels, of what is split */
@@ -103,7 +103,7 @@ static void bind_cells(struct dpl_gl *gl, const struct gpu_program *program, con
     program_vec4s(gl, program, "offset", 1, offset);
     program_vec3(gl, program, "absorption", receiver->absorption);
     program_vec3(gl, program, "channels", channels);
-    program_int(gl, program, "narrow", receiver->narrow);
+    program_float(gl, program, "own_share", receiver->own_share);
     bind_sun(gl, program, input, receiver->ior);
     program_float(gl, program, "receiver", receiver->height);
     program_float(gl, program, "cell", receiver->cell);
@@ -234,7 +234,7 @@ static struct receiver find_receiver(const struct dpl_gl *gl, const struct light
     struct receiver receiver = {.height = input->receivers[slice],
                                 .side = disc->side,
                                 .level = disc->level,
-                                .narrow = disc->narrow,
+                                .own_share = disc->own_share,
                                 .ior = ior};
     double sun[3];
     optics_sun_direction(input->sun, sun);

@@ -16,7 +16,7 @@ struct coverage_disc {
     int map_side;                 /* texels of the map that it was made for; 0: not made */
     double covariance[3];         /* likewise, in texels of the map: xx, xz, zz */
     int level, side;              /* the sharp map's side: the map's, halved `level` times and rounded up */
-    bool narrow;                  /* too narrow to be smeared: each cell spreads its own light */
+    double own_share;             /* of its radius, that each cell spreads its light over by itself */
     int count;                    /* of taps; 0: nothing is smeared */
     float taps[COVERAGE_TAPS][4]; /* x, z, weight */
 };
