@@ -74,7 +74,7 @@ probe() {
 works && says 'usage: dapple COMMAND'
 works --help && says 'examples:'
 works --version && says 'dapple '
-for command in render map surface bench view list info help; do
+for command in render map surface compare bench view list info help; do
     works help $command && says "usage: dapple $command" && says 'examples:' && says --help
     cp "$out" "$scratch/help"
     works $command --help
@@ -193,6 +193,40 @@ works render -o "$name" --size 16x16 $small --json && json 'o["output"] == "quot
 works map -o "$(printf 'byte-\377.png')" $small --json && json 'o["output"] == "byte-\ufffd.png"'
 rm -rf ./*
 
+# --- compare ---
+compared="--map 32 --size 64x36 --set reference.photons=16"
+run 0 "$dapple" compare $compared && says 'coverage  '
+for command in "compare --technique multi-sample" "compare --against multi-sample --technique reference"; do
+    works $command $compared && says 'technique       error %    p99 %   energy     gain     FLIP        ms'
+    grep -Eq '^(multi-sample|reference) +[0-9.]+ ' "$out" || fail "$command: no row"
+done
+works compare $compared --technique multi-sample --technique reference --json -o sheet.png
+json '[t["technique"] for t in o["techniques"]] == ["multi-sample", "reference"] and o["against"] == "reference"'
+json 'o["noise"] > 0 and o["map"] == 32 and o["output"] == "sheet.png" and o["device"]'
+json 'all(t["failure"] is None and t["energy"] > 0 and t["ms"] > 0 for t in o["techniques"])'
+json 'o["techniques"][0]["error"] > 0.01 and 0 < o["techniques"][0]["flip"] < 1 and not o["techniques"][0]["physical"]'
+json 'o["techniques"][1]["error"] == o["techniques"][1]["p99"] == o["techniques"][1]["flip"] == 0'
+json 'o["techniques"][1]["energy"] == o["techniques"][1]["gain"] == 1'
+holds sheet.png
+works compare $compared --against multi-sample --technique multi-sample --device cpu -o sheet.exr --json
+json 'o["techniques"][0]["flip"] is None and o["techniques"][0]["error"] == 0 and o["techniques"][0]["gain"] == 1'
+holds sheet.exr
+# a technique that cannot serve the scene is a row with the reason
+works compare $compared --technique multi-sample --set caustics.ceiling=2 -o sheet.png && says 'multi-sample   not shown: ' && holds sheet.png
+works compare $compared --technique multi-sample --set caustics.ceiling=2 --json && json 'o["techniques"][0]["failure"]'
+# a reference that is too noisy to tell
+run 0 "$dapple" compare $compared --technique multi-sample --set reference.photons=1 --set collard.amplitude=0.01
+grep -q '^dapple: warning: reference: its noise of ' "$err" || fail 'no warning of a noisy reference'
+works compare --seconds 0.1 $compared --technique multi-sample --map 64 --set reference.photons=100000 --set reference.noise=0
+refuses 2 '--against: no such technique: "magic" (accepted: coverage' compare --against magic -o sheet.png
+refuses 2 'caustics.technique: no such choice: "magic"' compare --technique multi-sample --technique magic -o sheet.png
+refuses 2 'accepted: .png, .exr, .pfm' compare -o sheet.jpg
+refuses 2 'cannot be written' compare -o missing/sheet.png
+refuses 2 '--seconds: ' compare --seconds -1 -o sheet.png
+refuses 2 'unknown flag: "--frames' compare --frames 2
+refuses 2 'one word too many' compare rings collard-2
+run 0 $no_gl "$dapple" compare $compared --technique multi-sample --json && json 'o["techniques"][0]["flip"] is None'
+
 # --- videos ---
 if command -v ffmpeg >/dev/null && command -v ffprobe >/dev/null; then
     video='--size 64x48 --map 32 --fps 25'
@@ -294,6 +328,28 @@ done
 refuses 2 'accepted: scenes, waters, techniques, params' list
 refuses 2 'accepted: scenes, waters, techniques, params' list fish
 refuses 2 '--markdown: only for params' list scenes --markdown
+
+# --- the ground truth ---
+truth="$small --technique reference --set reference.photons=64"
+works list techniques --json && json '[t["refines"] for t in o["techniques"] if t["name"] == "reference"] == [True]'
+works map $truth --json -o a.pfm && json '0 < o["noise"] < 0.2 and 0.5 < o["mean"] < 1'
+mv a.pfm "$scratch/truth.pfm"
+photons=$scratch/photons
+works map $truth --seconds 0 --set reference.file="$photons" -o a.pfm && says 'noise '
+cmp -s a.pfm "$scratch/truth.pfm" && fail '--seconds 0 does not stop'
+works map $truth --set reference.file="$photons" -o a.pfm
+cmp -s a.pfm "$scratch/truth.pfm" || fail 'a map in two runs is not that of one'
+holds a.pfm
+refuses 2 'photons: its photons are those of another scene' map $truth --time 1 --set reference.file="$photons" -o a.pfm
+refuses 2 '--seconds: ' map $truth --seconds -1 -o a.pfm
+rm "$photons"
+# its signal comes after the first pass, which is long over when the file is there
+"$dapple" map $truth --device cpu --set reference.photons=1000000 --set reference.file="$photons" -o a.pfm 2>"$err" &
+child=$!
+sleep 2
+kill -s TERM $child
+wait $child 2>/dev/null && fail 'SIGTERM did not end the ground truth'
+[ -s "$photons" ] && [ -z "$(ls -A)" ] || fail "SIGTERM: no photons kept, or a map: $(ls -A)"
 
 # --- a stdout that cannot be written ---
 for command in help info 'list params' "map $small -o a.exr"; do

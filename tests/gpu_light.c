@@ -23,6 +23,7 @@ static void start(struct fixture *fixture, bool es)
     fixture->on_gpu = dpl_renderer_create(fixture->gl, DPL_DEVICE_GL, log);
     fixture->on_cpu = dpl_renderer_create(NULL, DPL_DEVICE_CPU, log);
     fixture->scene = dpl_scene_create(log);
+    support_set(fixture->scene, "caustics.technique", "multi-sample");
 }
 
 static void finish(struct fixture *fixture)

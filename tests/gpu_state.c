@@ -91,7 +91,8 @@ static void disturb(struct fixture *fixture)
 
 static bool may_be_anything(const char *line)
 {
-    static const char *const names[] = {"VIEWPORT", "COLOR_CLEAR_VALUE", "BLEND_SRC_", "BLEND_DST_", NULL};
+    static const char *const names[] = {"VIEWPORT",   "SCISSOR_BOX", "COLOR_CLEAR_VALUE",
+                                        "BLEND_SRC_", "BLEND_DST_",  NULL};
     for (int i = 0; names[i]; i++)
         if (!strncmp(line, names[i], strlen(names[i])))
             return true;

@@ -19,8 +19,9 @@ static int setup(void **state)
     struct fixture *fixture = calloc(1, sizeof *fixture);
     support_log_start(&fixture->log);
     fixture->renderer = dpl_renderer_create(NULL, DPL_DEVICE_AUTO, &fixture->log.log);
-    fixture->scene =
-        support_scene("[wave.1]\ncycles = 3 2\namplitude = 0.05\n[caustics]\nmap = 97\nmesh = 64\n", &fixture->log.log);
+    fixture->scene = support_scene("[wave.1]\ncycles = 3 2\namplitude = 0.05\n[caustics]\nmap = 97\nmesh = 64\n"
+                                   "[reference]\nphotons = 8\n",
+                                   &fixture->log.log);
     *state = fixture;
     return 0;
 }
@@ -93,20 +94,32 @@ static void the_same_bytes_whatever_came_before_and_however_many_threads(void **
     every_light(*state, check_bytes);
 }
 
-/* Every number of the technique, the water and the map at both ends of its range; sides stay small. */
+/* A finite map, or a clear no where the technique does not serve the scene: no ceiling by one that maps no reflected
+ * light. */
+static void check_map_or_refusal(struct fixture *fixture, const char *key)
+{
+    struct dpl_image *map = strcmp(key, "caustics.ceiling") ? map_of(fixture, 0.7)
+                                                            : dpl_renderer_map(fixture->renderer, fixture->scene, 0.7);
+    if (!map)
+        EXPECT_ERROR(&fixture->log, DPL_REASON_UNSUPPORTED, "caustics.ceiling", "accepted: 0");
+    dpl_image_destroy(map);
+}
+
+/* Every number of the technique, the water and the map at both ends of its range; sides and counts stay
+ * small. */
 static void check_ends(struct fixture *fixture)
 {
     for (int i = 0; dpl_scene_section(fixture->scene, i).name; i++) {
         struct dpl_section section = dpl_scene_section(fixture->scene, i);
         for (const struct dpl_param *param = section.params; section.active && param->name; param++) {
             bool number = param->count == 1 && (param->type == DPL_PARAM_FLOAT || param->type == DPL_PARAM_INT);
-            bool large = !strcmp(param->name, "map") || !strcmp(param->name, "mesh") || !strcmp(param->name, "cells");
+            bool large = param->type == DPL_PARAM_INT && param->maximum > 200;
             char key[128], before[64];
             snprintf(key, sizeof key, "%s.%s", section.name, param->name);
             assert_true(dpl_scene_get(fixture->scene, key, before, sizeof before));
             for (int end = 0; number && end < 2; end++) {
                 support_set(fixture->scene, key, "%.17g", end == 0 ? param->minimum : large ? 200 : param->maximum);
-                dpl_image_destroy(map_of(fixture, 0.7));
+                check_map_or_refusal(fixture, key);
             }
             support_set(fixture->scene, key, "%s", before);
         }
@@ -186,6 +199,7 @@ static void a_sun_map_from_a_file_is_used(void **state)
     char folder[64], path[128];
     support_folder_make(folder);
     snprintf(path, sizeof path, "%s/sun.png", folder);
+    support_set(fixture->scene, "caustics.technique", "multi-sample");
     support_set(fixture->scene, "multi-sample.sun_map", "%s", path);
     assert_null(dpl_renderer_map(fixture->renderer, fixture->scene, 1));
     EXPECT_ERROR(&fixture->log, DPL_REASON_FILE_READ, path);

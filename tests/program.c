@@ -200,7 +200,9 @@ static void a_renderer_goes_on_while_a_shader_is_edited(void **state)
     struct fixture *fixture = *state;
     struct dpl_gl *gl = open_context(fixture, false);
     struct dpl_renderer *renderer = dpl_renderer_create(gl, DPL_DEVICE_GL, &fixture->log.log);
-    struct dpl_scene *scene = support_scene("[wave.1]\ncycles = 1 1\n[caustics]\nmap = 32\nmesh = 32\n", NULL);
+    struct dpl_scene *scene = support_scene("[wave.1]\ncycles = 1 1\n[caustics]\ntechnique = multi-sample\n"
+                                            "map = 32\nmesh = 32\n",
+                                            NULL);
     struct dpl_image *images[4];
     for (int i = 0; i < 4; i++) {
         if (i == 1)

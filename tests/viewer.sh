@@ -16,8 +16,11 @@ times=160x180+1048+36         # the times of the passes, which change with every
 scene_menu='180 45'          # the menu; its first entry and the distance to the next stand below it
 entry_x=60 entry_y=70 entry_step=17
 save_button='260 91'
-depth_from='120 210' depth_to='40 210' # the slider of scene.depth, and of [scene] the button "reset"
-scene_reset='316 164'
+depth_from='120 233' depth_to='40 233' # the slider of scene.depth, and of [scene] the button "reset"
+scene_reset='316 187'
+compare_y=160 with_y=183       # the menus of what is compared; their entries stand below as those of the scenes do
+left_part=250x500+380+100      # of the picture, left of its middle and right of it
+right_part=150x500+645+100
 
 folder=$(mktemp -d) viewer="" display=""
 finish() {
@@ -224,6 +227,48 @@ check_controls() {
     try 20 has_file dapple-0001.ini || fail "the button \"Save scene\" writes nothing"
 }
 
+# pick Y INDEX: an entry of the menu at that height.
+pick() {
+    click 100 "$1"
+    click $entry_x $(($1 + 25 + entry_step * $2))
+    point 900 600
+}
+
+# parts_are LEFT RIGHT: whether each part of the picture is as it was without a comparison ("same"), or is not.
+parts_are() {
+    for part in left right; do
+        eval "area=\$${part}_part"
+        screen "$part" "$area"
+        distance=$(differ $part $part-alone)
+        if [ "$1" = same ]; then [ "$distance" -le 1 ]; else [ "$distance" -gt 4 ]; fi || return 1
+        shift
+    done
+}
+
+check_compare() {
+    try 20 rests still || fail "the picture does not rest"
+    screen left-alone $left_part
+    screen right-alone $right_part
+    coverage=$("$dapple" list techniques --json | python3 -c 'import json, sys
+print([t["name"] for t in json.load(sys.stdin)["techniques"]].index("coverage"))')
+    pick $compare_y 1
+    pick $with_y "$coverage"
+    try 20 parts_are same other || fail "a split does not show another technique on the right alone"
+    drag 640 400 820 400
+    try 20 parts_are same same || fail "the line of a split cannot be dragged"
+    drag 820 400 640 400
+    try 20 parts_are same other || fail "the line of a split cannot be dragged back"
+    pick $compare_y 2
+    try 20 parts_are other other || fail "the difference of the maps is not shown"
+    screen difference $middle
+    for color in 'r - b' 'b - r'; do
+        [ "$(convert "$folder/difference.png" -fx "$color > 0.3" -format '%[fx:mean > 0.002]' info:)" = 1 ] ||
+            fail "in the difference of the maps there is nothing of $color"
+    done
+    pick $compare_y 0
+    try 20 shows_same without still || fail "without a comparison the picture is not what it was"
+}
+
 resize() {
     width=$1 height=$2
     xdotool windowsize "$window" "$width" "$height"
@@ -293,6 +338,7 @@ try 20 moves || fail "the water does not move"
 pause
 check_presets
 check_controls
+check_compare
 check_window
 [ ! -e "$folder/imgui.ini" ] || fail "imgui.ini was written"
 close

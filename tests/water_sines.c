@@ -2,6 +2,7 @@
 #include "support.h"
 #include "water.h"
 
+#include "base/sine.h"
 #include "scene/scene.h"
 
 #include <math.h>
@@ -65,6 +66,100 @@ static void heights_are_those_of_the_formula(void **state)
                 assert_true(fabs(height(fixture, time, x, z) - wanted) < 1e-12);
                 assert_true(fabs((double)fixture->surface.texels[(j * 20 + i) * 3] - wanted) < 1e-7);
             }
+        }
+    }
+}
+
+/* Waves of every kind, short and long, as many as there may be. */
+static double fill_waves(struct fixture *fixture, int count)
+{
+    uint64_t random = 7;
+    double sum = 0;
+    for (int w = 0; w < count; w++) {
+        int across = (int)(support_random(&random) % 513) - 256, along = (int)(support_random(&random) % 513) - 256;
+        fixture->waves[w] = (struct wave){{w ? across : 0, w ? along : 0},
+                                          support_random_unit(&random) * 0.1,
+                                          support_random_unit(&random) * 720 - 360,
+                                          0.1 + support_random_unit(&random) * 9};
+        sum += fixture->waves[w].amplitude;
+    }
+    fixture->setup.wave_count = count;
+    return sum;
+}
+
+/* Height and slopes by the formula. */
+static void formula(const struct fixture *fixture, double time, double x, double z, double out[3])
+{
+    out[0] = out[1] = out[2] = 0;
+    for (int w = 0; w < fixture->setup.wave_count; w++) {
+        const struct wave *wave = fixture->waves + w;
+        double size = fixture->setup.size, kx = 2 * M_PI * wave->cycles[0] / size,
+               kz = 2 * M_PI * wave->cycles[1] / size;
+        double angle = kx * x + kz * z - 2 * M_PI * time / wave->period + wave->phase * M_PI / 180;
+        out[0] += wave->amplitude * cos(angle);
+        out[1] -= wave->amplitude * kx * sin(angle);
+        out[2] -= wave->amplitude * kz * sin(angle);
+    }
+}
+
+/* Any number of points, so also those that fill no vector, no block and more than one. */
+static void points_are_those_of_the_formula(void **state)
+{
+    enum { MOST = 1100 };
+    static const int counts[] = {0, 1, 2, 3, 5, 8, 31, 511, 512, 513, MOST};
+    static double x[MOST], z[MOST], out[3][MOST + 1], shift[2][MOST], area[MOST];
+    struct fixture *fixture = *state;
+    uint64_t random = 9;
+    for (int i = 0; i < MOST; i++) {
+        x[i] = (support_random_unit(&random) - 0.5) * 12;
+        z[i] = (support_random_unit(&random) - 0.5) * 12;
+    }
+    for (size_t k = 0; k < sizeof counts / sizeof *counts; k++) {
+        int count = counts[k];
+        double sum = fill_waves(fixture, k % 2 ? WATER_WAVES_MAX : (int)k);
+        struct water_points points = {count, x, z, out[0], out[1], out[2], shift[0], shift[1], area};
+        out[0][count] = out[1][count] = out[2][count] = 123;
+        water_sample(fixture->model, &fixture->setup, 3.3, &points);
+        assert_true(out[0][count] == 123 && out[1][count] == 123 && out[2][count] == 123);
+        for (int i = 0; i < count; i++) {
+            double wanted[3];
+            formula(fixture, 3.3, x[i], z[i], wanted);
+            for (int c = 0; c < 3; c++) /* angles up to 10^4 in double precision */
+                assert_true(fabs(out[c][i] - wanted[c]) <= 1e-11 * sum * (c ? 2 * M_PI * 256 / 4 : 1));
+            assert_true(shift[0][i] == 0 && shift[1][i] == 0 && area[i] == 1);
+        }
+    }
+}
+
+/* Grids of any number of columns, within a millionth of the sum of amplitudes. */
+static void grids_of_any_side_are_those_of_the_formula(void **state)
+{
+    static const int sides[] = {2, 3, 7, 15, 16, 17, 31, 100};
+    struct fixture *fixture = *state;
+    double sum = fill_waves(fixture, WATER_WAVES_MAX);
+    for (size_t k = 0; k < sizeof sides / sizeof *sides; k++) {
+        int side = fixture->setup.mesh = sides[k];
+        evaluate(fixture, 3.3);
+        for (int i = 0; i < side * side; i++) {
+            double wanted[3];
+            formula(fixture, 3.3, 4.0 * (i % side) / side - 2, 4.0 * (i / side) / side - 2, wanted);
+            for (int c = 0; c < 3; c++)
+                assert_true(fabs((double)fixture->surface.texels[3 * i + c] - wanted[c]) <=
+                            1e-6 * sum * (c ? 2 * M_PI * 256 / 4 : 1));
+        }
+    }
+}
+
+/* At quarter turns, next to them, and far out. */
+static void sine_cosine_is_that_of_the_library(void **state)
+{
+    (void)state;
+    for (int i = -4000; i <= 4000; i++) {
+        for (int place = 0; place < 4; place++) {
+            double turns = i * 0.0009765625 * (place < 2 ? 1 : 65536) + (place % 2 ? 1e-9 : 0), sine, cosine;
+            sine_cosine(turns, &sine, &cosine);
+            assert_true(fabs(sine - sin(2 * M_PI * (turns - rint(turns)))) < 1e-13);
+            assert_true(fabs(cosine - cos(2 * M_PI * (turns - rint(turns)))) < 1e-13);
         }
     }
 }
@@ -187,6 +282,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(heights_are_those_of_the_formula, setup, teardown),
+        cmocka_unit_test_setup_teardown(points_are_those_of_the_formula, setup, teardown),
+        cmocka_unit_test_setup_teardown(grids_of_any_side_are_those_of_the_formula, setup, teardown),
+        cmocka_unit_test(sine_cosine_is_that_of_the_library),
         cmocka_unit_test_setup_teardown(crests_run_the_way_of_the_cycles, setup, teardown),
         cmocka_unit_test_setup_teardown(no_waves_and_no_amplitude_are_flat, setup, teardown),
         cmocka_unit_test_setup_teardown(periods_follow_the_dispersion_relation, setup, teardown),

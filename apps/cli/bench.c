@@ -44,7 +44,7 @@ static bool draw(const struct bench *bench, int frame)
     return dpl_renderer_draw(session->renderer, session->scene, frame / 60.0, DPL_NO_FRAMEBUFFER, size[0], size[1]);
 }
 
-static bool time_frames(struct bench *bench, const struct progress *progress)
+static bool time_frames(struct bench *bench, struct progress *progress)
 {
     for (int i = -WARM_UP; i < bench->frames; i++) {
         double started = clock_seconds();
@@ -61,7 +61,7 @@ static bool time_frames(struct bench *bench, const struct progress *progress)
     return true;
 }
 
-static bool time_passes(struct bench *bench, const struct progress *progress)
+static bool time_passes(struct bench *bench, struct progress *progress)
 {
     const struct dpl_renderer *renderer = bench->session.renderer;
     dpl_renderer_time_passes(bench->session.renderer, DPL_TIMING_WAIT, clock_seconds);

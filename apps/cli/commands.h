@@ -29,6 +29,7 @@ void command_names(char *text, size_t size);
 bool command_render(const struct options *options, struct program_log *log);
 bool command_map(const struct options *options, struct program_log *log);
 bool command_surface(const struct options *options, struct program_log *log);
+bool command_compare(const struct options *options, struct program_log *log);
 bool command_bench(const struct options *options, struct program_log *log);
 bool command_view(const struct options *options, struct program_log *log);
 bool command_list(const struct options *options, struct program_log *log);

@@ -35,13 +35,13 @@ void interrupt_install(void)
 
 void interrupt_hold(void)
 {
-    held = 1;
+    held++;
 }
 
 void interrupt_release(void)
 {
-    held = 0;
-    if (caught)
+    held--;
+    if (caught && !held)
         end_by(caught);
 }
 

@@ -8,7 +8,7 @@
 void interrupt_install(void);
 
 /* Between these two a signal only raises the flag that interrupt_caught() returns, and a blocking call returns EINTR;
- * interrupt_release() then ends the program by it. */
+ * interrupt_release() then ends the program by it. Pairs may stand within pairs: the outermost counts. */
 void interrupt_hold(void);
 void interrupt_release(void);
 bool interrupt_caught(void);

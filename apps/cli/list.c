@@ -16,7 +16,7 @@ struct entry {
 static struct dpl_entry builtin_scene(int index)
 {
     const struct dpl_builtin_scene *scene = dpl_builtin_scenes() + index;
-    return (struct dpl_entry){scene->name, scene->summary, NULL};
+    return (struct dpl_entry){.name = scene->name, .summary = scene->summary};
 }
 
 static const struct list {
@@ -30,7 +30,8 @@ static void list_text(const struct list *list)
         struct dpl_entry entry = list->entry(i);
         printf("%-14s %s\n", entry.name, entry.summary);
         if (entry.source)
-            printf("%-14s (%s)\n", "", entry.source);
+            printf("%-14s (%s)%s%s%s\n", "", entry.source, entry.physical ? "; physical" : "",
+                   entry.reflects ? "; also light thrown back" : "", entry.refines ? "; refines step by step" : "");
     }
 }
 
@@ -46,6 +47,11 @@ static void list_json(const struct list *list)
         json_text(&json, "summary", entry.summary);
         if (entry.source)
             json_text(&json, "source", entry.source);
+        if (list->entry == dpl_technique) {
+            json_bool(&json, "physical", entry.physical);
+            json_bool(&json, "reflects", entry.reflects);
+            json_bool(&json, "refines", entry.refines);
+        }
         json_close(&json, '}');
     }
     json_close(&json, ']');

@@ -24,6 +24,10 @@ static void write_message(void *user, enum dpl_log_level level, enum dpl_reason 
 {
     struct program_log *log = user;
     static const char *const names[] = {"error", "warning", "note"};
+    if (level == DPL_LOG_ERROR && log->caught) {
+        snprintf(log->caught, LOG_TEXT_SIZE, "%s", text);
+        return;
+    }
     const char *instead = level == DPL_LOG_ERROR ? log->instead : NULL;
     if (level == DPL_LOG_ERROR && !instead && log->exit_code == EXIT_DONE)
         log->exit_code = code_of(reason);
@@ -39,7 +43,7 @@ void log_begin(struct program_log *log)
 
 static void fail(struct program_log *log, enum dpl_reason reason, const char *format, va_list arguments)
 {
-    char text[1024];
+    char text[LOG_TEXT_SIZE];
     vsnprintf(text, sizeof text, format, arguments);
     write_message(log, DPL_LOG_ERROR, reason, text);
 }

@@ -6,12 +6,15 @@
 
 #include <stdbool.h>
 
+#define LOG_TEXT_SIZE 1024 /* bytes of a message, its ending zero included */
+
 enum exit_code { EXIT_DONE = 0, EXIT_COULD_NOT = 1, EXIT_WRONG_INPUT = 2 };
 
 struct program_log {
     struct dpl_log log;       /* for the library */
     enum exit_code exit_code; /* of the first error */
     const char *instead;      /* not NULL: an error is only a warning, and this is done in place of what failed */
+    char *caught;             /* not NULL: an error is only kept here, in LOG_TEXT_SIZE bytes */
     bool bar_shown;           /* the cursor stands behind a progress bar */
 };
 

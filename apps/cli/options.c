@@ -11,7 +11,7 @@
 
 static void set_defaults(struct options *options)
 {
-    *options = (struct options){.size = {1280, 720}};
+    *options = (struct options){.size = {1280, 720}, .against = DEFAULT_AGAINST};
     for (int i = 0; i < FLAG_COUNT; i++)
         if (flags[i].type == VALUE_NUMBER)
             *(double *)((char *)options + flags[i].offset) = flags[i].initial;

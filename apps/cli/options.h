@@ -8,6 +8,7 @@
 #include <stdbool.h>
 
 #define FRAMES_MAX 100000
+#define DEFAULT_AGAINST "reference"
 
 struct command;
 
@@ -21,7 +22,8 @@ struct options {
     struct setting *settings;
     int setting_count;
     const char *output, *shaders; /* NULL: not given */
-    double time, fps, white;
+    const char *against;          /* name of a technique */
+    double time, fps, white, seconds;
     int frames; /* 0: not given */
     int slice;
     int size[2]; /* width and height, pixels */

@@ -2,27 +2,35 @@
 
 #include "cli/clock.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <unistd.h>
 
-#define WIDTH 30 /* of the bar, characters */
+#define WIDTH 30     /* of the bar, characters */
+#define INTERVAL 0.1 /* s, between parts of a step */
 
 void progress_begin(struct progress *progress, const char *name, int count, bool quiet, struct program_log *log)
 {
-    *progress = (struct progress){log, name, count, clock_seconds(), !quiet && count > 1 && isatty(STDERR_FILENO)};
+    *progress = (struct progress){log, name, count, clock_seconds(), 0, !quiet && isatty(STDERR_FILENO)};
     progress_step(progress, 0);
 }
 
-void progress_step(const struct progress *progress, int done)
+void progress_step(struct progress *progress, double done)
 {
-    if (!progress->shown)
+    double now = clock_seconds();
+    bool whole = done == floor(done);
+    if (!progress->shown || (whole ? progress->count == 1 : now - progress->drawn < INTERVAL))
         return;
-    int filled = (int)((long long)WIDTH * done / progress->count);
-    double left = done ? (clock_seconds() - progress->started) / done * (progress->count - done) : 0;
-    fprintf(stderr, "\r\033[K%s [%.*s%*s] %d/%d", progress->name, filled,
-            "==============================", WIDTH - filled, "", done, progress->count);
-    if (done)
-        fprintf(stderr, ", %.0f s left", left);
+    int filled = (int)(WIDTH * done / progress->count);
+    fprintf(stderr, "\r\033[K%s [%.*s%*s] ", progress->name, filled, "==============================", WIDTH - filled,
+            "");
+    if (progress->count > 1)
+        fprintf(stderr, "%d/%d", (int)done, progress->count);
+    else
+        fprintf(stderr, "%.0f %%", done * 100);
+    if (done > 0)
+        fprintf(stderr, ", %.0f s left", (now - progress->started) / done * (progress->count - done));
+    progress->drawn = now;
     progress->log->bar_shown = true;
 }
 

@@ -8,14 +8,15 @@ struct progress {
     struct program_log *log;
     const char *name;
     int count;
-    double started; /* seconds */
+    double started, drawn; /* seconds */
     bool shown;
 };
 
-/* `count` steps are to come. A single step, --quiet or a stderr that is not a terminal shows nothing. */
+/* `count` steps are to come. --quiet or a stderr that is not a terminal shows nothing, nor does a single step that
+ * tells of no part of it. */
 void progress_begin(struct progress *progress, const char *name, int count, bool quiet, struct program_log *log);
-/* `done` steps are done. */
-void progress_step(const struct progress *progress, int done);
+/* So many steps and parts of a step are done. */
+void progress_step(struct progress *progress, double done);
 /* Takes the bar away. */
 void progress_end(const struct progress *progress);
 

@@ -1,8 +1,11 @@
 #include "cli/sequence.h"
 
 #include "cli/clock.h"
+#include "cli/interrupt.h"
 #include "cli/json.h"
 #include "cli/progress.h"
+
+#include <math.h>
 
 double sequence_time(const struct options *options, int frame)
 {
@@ -14,6 +17,36 @@ struct result {
     double seconds;
 };
 
+/* A frame that is being refined. */
+struct refining {
+    struct progress *progress;
+    int frame;
+    double until; /* seconds of the clock */
+};
+
+static bool refine(void *user, double done)
+{
+    const struct refining *refining = user;
+    progress_step(refining->progress, refining->frame + done);
+    return !interrupt_caught() && clock_seconds() < refining->until;
+}
+
+/* A technique that refines its map may have photons to save: an interrupt stops it first. */
+static struct dpl_image *make_frame(const struct sequence *sequence, const struct session *session,
+                                    struct progress *progress, int frame)
+{
+    const struct options *options = session->options;
+    bool limited = options->given & FLAG_BIT(FLAG_SECONDS), refines = session_technique(session).refines;
+    struct refining refining = {progress, frame, limited ? clock_seconds() + options->seconds : INFINITY};
+    dpl_renderer_progress(session->renderer, refine, &refining);
+    if (refines)
+        interrupt_hold();
+    struct dpl_image *image = sequence->make(session, sequence_time(options, frame));
+    if (refines)
+        interrupt_release();
+    return image;
+}
+
 static bool make_frames(const struct sequence *sequence, const struct session *session, struct output *output,
                         struct result *result)
 {
@@ -21,7 +54,7 @@ static bool make_frames(const struct sequence *sequence, const struct session *s
     progress_begin(&progress, sequence->command, output->frames, session->options->quiet, session->log);
     bool ok = true;
     for (int i = 0; ok && i < output->frames; i++) {
-        struct dpl_image *image = sequence->make(session, sequence_time(session->options, i));
+        struct dpl_image *image = make_frame(sequence, session, &progress, i);
         if (image && sequence->look)
             sequence->look(sequence->user, image);
         ok = image && output_write(output, image, i);

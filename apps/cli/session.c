@@ -3,6 +3,7 @@
 #include "cli/commands.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 bool session_load(struct session *session, const struct options *options, struct program_log *log)
 {
@@ -39,6 +40,16 @@ void session_end(struct session *session)
     dpl_renderer_destroy(session->renderer);
     dpl_gl_destroy(session->gl);
     dpl_scene_destroy(session->scene);
+}
+
+struct dpl_entry session_technique(const struct session *session)
+{
+    char name[64];
+    bool known = dpl_scene_get(session->scene, "caustics.technique", name, sizeof name);
+    int i = 0;
+    while (known && dpl_technique(i).name && strcmp(dpl_technique(i).name, name) != 0)
+        i++;
+    return dpl_technique(i);
 }
 
 double session_value(const struct session *session, const char *key)

@@ -20,6 +20,9 @@ bool session_load(struct session *session, const struct options *options, struct
 bool session_start(struct session *session, bool needs_gl);
 void session_end(struct session *session);
 
+/* The technique that the scene uses. */
+struct dpl_entry session_technique(const struct session *session);
+
 /* A value of the scene as a number, 0 where it is none. */
 double session_value(const struct session *session, const char *key);
 

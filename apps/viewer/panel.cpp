@@ -4,6 +4,7 @@ extern "C" {
 #include "viewer/panel.h"
 #include "viewer/control.h"
 #include "viewer/input.h"
+#include "viewer/panel_compare.h"
 }
 
 #include <imgui.h>
@@ -215,6 +216,7 @@ static void draw_left(panel *panel, const panel_view &view, commands *pressed)
     ImGui::SetNextWindowSize(ImVec2(LEFT_WIDTH * panel->scale, ImGui::GetIO().DisplaySize.y - 2 * margin));
     if (ImGui::Begin("Scene", nullptr, FIXED_WINDOW)) {
         draw_controls(panel, view, pressed);
+        panel_compare_controls(&view);
         ImGui::Separator();
         draw_sections(panel, view.document);
     }
@@ -371,6 +373,7 @@ commands panel_draw(panel *panel, const panel_view *view)
     if (view->blank)
         ImGui::GetBackgroundDrawList()->AddRectFilled(ImVec2(0, 0), ImGui::GetIO().DisplaySize, IM_COL32_BLACK);
     if (!view->hidden) {
+        panel_compare_divider(view, panel->scale);
         draw_left(panel, *view, &pressed);
         draw_right(panel, *view);
     }

@@ -5,6 +5,7 @@
 #include "dapple/renderer.h"
 #include "viewer/clock.h"
 #include "viewer/commands.h"
+#include "viewer/compare.h"
 #include "viewer/document.h"
 
 struct GLFWwindow;
@@ -18,6 +19,7 @@ void panel_destroy(struct panel *panel); /* NULL is allowed */
 struct panel_view {
     struct document *document; /* values are changed through dpl_scene_set() only */
     struct viewer_clock *clock;
+    struct viewer_compare *compare;
     struct dpl_renderer *renderer; /* of which a frame has been drawn */
     const char *device;
     int width, height;    /* of the picture, pixels */

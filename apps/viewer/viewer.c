@@ -2,6 +2,7 @@
 #include "viewer/viewer.h"
 
 #include "viewer/clock.h"
+#include "viewer/compare.h"
 #include "viewer/document.h"
 #include "viewer/input.h"
 #include "viewer/panel.h"
@@ -27,6 +28,7 @@ struct viewer {
     struct panel *panel;
     struct input input;
     struct viewer_clock clock;
+    struct viewer_compare compare;
     struct watch watch;
     double frame_seconds; /* mean of the last frames, real time */
     bool hidden;
@@ -130,6 +132,7 @@ static bool start(struct viewer *viewer)
     if (!viewer->renderer || !viewer->panel)
         return say(viewer, DPL_LOG_ERROR, DPL_REASON_LIMIT, "window: memory is short");
     time_passes(viewer);
+    compare_start(&viewer->compare, viewer->renderer, glfwGetTime);
     watch_start(&viewer->watch, viewer->document.path, options->shader_folder);
     clock_start(&viewer->clock, options->time, glfwGetTime());
     return true;
@@ -228,10 +231,13 @@ static void obey(struct viewer *viewer, const struct commands *commands, int wid
 
 static void draw(struct viewer *viewer, int width, int height)
 {
+    compare_begin_frame(&viewer->compare, viewer->renderer);
     bool drawn = dpl_renderer_draw(viewer->renderer, viewer->document.scene, viewer->clock.time, 0, width, height);
+    compare_end_frame(&viewer->compare, viewer->renderer, drawn);
     struct panel_view view = {
         .document = &viewer->document,
         .clock = &viewer->clock,
+        .compare = &viewer->compare,
         .renderer = viewer->renderer,
         .device = dpl_gl_describe(viewer->gl)->renderer,
         .width = width,

@@ -11,6 +11,7 @@
 #include "dapple/gl.h"
 #include "dapple/image.h"
 #include "dapple/log.h"
+#include "dapple/measure.h"
 #include "dapple/param.h"
 #include "dapple/renderer.h"
 #include "dapple/scene.h"

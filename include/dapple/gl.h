@@ -10,7 +10,7 @@
  *     texture unit, textures of units 0 to 7, the renderbuffer and shader storage buffers 0 and 1 may be anything
  *     before and are 0 (unit 0) after, except the framebuffer handed to dpl_renderer_draw(), which stays bound for
  *     drawing and reading;
- *   - the clear colour and the blend function may be anything before and after;
+ *   - the clear colour, the blend function and the scissor box may be anything before and after;
  *   - pixel store parameters are the defaults before and after;
  *   - errors that OpenGL still holds from before are dropped, and there are none after.
  * tests/gpu_state.c holds this contract against a context.

@@ -12,6 +12,7 @@
 
 #include "dapple/gl.h"
 #include "dapple/image.h"
+#include "dapple/measure.h"
 #include "dapple/scene.h"
 
 #ifdef __cplusplus
@@ -47,6 +48,15 @@ DPL_API struct dpl_image *dpl_renderer_map(struct dpl_renderer *renderer, const 
 DPL_API struct dpl_image *dpl_renderer_slice(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time,
                                              int slice);
 
+/* A technique that refines its map (struct dpl_entry) calls `step` after each step of it, with the share that is done,
+ * 0 to 1; where that returns false the map is taken as it is, and a later call of the same scene and time goes on from
+ * there. NULL: every map is finished. */
+DPL_API void dpl_renderer_progress(struct dpl_renderer *renderer, bool (*step)(void *user, double done), void *user);
+
+/* What chance adds to the last map, as a share of the map: RMS against RMS. 0: nothing, or not known. Where the last
+ * picture compared two, that of the other technique. */
+DPL_API double dpl_renderer_noise(const struct dpl_renderer *renderer);
+
 /* Draws the scene into a framebuffer of the caller's context (0: the window), over its whole width × height.
  * DPL_NO_FRAMEBUFFER draws it into nothing that can be seen and waits until the device is done: for benchmarks. */
 #define DPL_NO_FRAMEBUFFER (~0u)
@@ -56,6 +66,24 @@ DPL_API bool dpl_renderer_draw(struct dpl_renderer *renderer, const struct dpl_s
 /* The same into a new image: displayable values 0 to 1. Returns NULL on failure; the caller destroys the image. */
 DPL_API struct dpl_image *dpl_renderer_picture(struct dpl_renderer *renderer, const struct dpl_scene *scene,
                                                double time, int width, int height);
+
+/* How the pictures of dpl_renderer_draw() and dpl_renderer_picture() compare the scene's technique with another one. */
+enum dpl_comparison {
+    DPL_COMPARE_NOTHING,    /* the picture by the scene's technique alone */
+    DPL_COMPARE_SPLIT,      /* to the left that by the scene's technique, to the right that by the other */
+    DPL_COMPARE_DIFFERENCE, /* the floor alone, in the colours of DPL_COLORS_DIFFERENCE */
+};
+struct dpl_compare {
+    enum dpl_comparison mode;
+    int technique;      /* the other: index of dpl_technique(); of one that there is not, nothing is compared */
+    double place;       /* SPLIT: where the right part starts, 0 to 1 across the picture */
+    double gain, range; /* DIFFERENCE: of the scene's map × gain less the other, and what has the strongest colour */
+};
+DPL_API void dpl_renderer_compare(struct dpl_renderer *renderer, const struct dpl_compare *compare);
+
+/* The scene's map of the last picture against the other technique's, as dpl_measure_map(); fitted where one of the two
+ * techniques has no physical scale. An error where the last picture compared nothing. */
+DPL_API bool dpl_renderer_measure(struct dpl_renderer *renderer, struct dpl_measure *measure);
 
 /* Has the shader files read anew when they are next needed, by every renderer of this OpenGL; where one is broken, the
  * reason is logged and what was built from it before stays in use. For shaders that are being edited. */

@@ -58,6 +58,10 @@ DPL_API struct dpl_section dpl_scene_section(const struct dpl_scene *scene, int 
 /* What `dapple list` shows: names and one line each of the water models and the techniques, NULL past the last. */
 struct dpl_entry {
     const char *name, *summary, *source;
+    /* Of a technique: */
+    bool physical; /* its map is irradiance in units of what flat water would give; else it is tuned by eye */
+    bool reflects; /* serves a ceiling above the water too */
+    bool refines;  /* its map gets better step by step: see dpl_renderer_progress() */
 };
 DPL_API struct dpl_entry dpl_water_model(int index);
 DPL_API struct dpl_entry dpl_technique(int index);

@@ -1,25 +1,97 @@
-/* Every cell of the surface, seen from the sun, throws its light on an exactly known part of every texel. */
-#include "light/coverage_gpu.h"
+/* Exact coverage: the images of the surface's cells, added up over the texels that they cover.
+ *
+ *   1. every vertex of the surface refracts (or throws back) the light from the middle of the sun, once for all
+ * receivers
+ *   2. on a receiver, the images of each cell's two triangles share its flux among texels by the area that they cover;
+ *      folds add up, nothing is sampled, and no light is lost
+ *   3. the sun's disc smears the light over a footprint that depends on the place's slope
+ *
+ * Energy of triangles after Watt 1990 and Nishita & Nakamae 1994, whose beams are drawn here with the exact area of
+ * texels; balanced vertices and footprints by slope are dapple's own. docs/accuracy.md has the equations and the
+ * errors. */
+#include "light/coverage.h"
 
-static bool draw(void *state, struct dpl_gl *gl, const struct light_input *input, struct gpu_texture *map)
+#include "base/log.h"
+
+static const struct dpl_param params[] = {
+    PARAM_INT(struct coverage, fineness, 0, 0, COVERAGE_FINENESS_MAX, "",
+              "texels computed along each side of a texel of the map; 0 = as caustics.error needs"),
+    PARAM_INT(struct coverage, footprints, 0, 0, COVERAGE_KINDS_MAX, "",
+              "footprints of the sun's disc along either axis of slope; 0 = as caustics.error needs"),
+    PARAM_END,
+};
+
+struct state {
+    struct coverage_rays rays;
+    struct coverage_cells cells;
+    struct coverage_plan plan;
+    struct coverage_bands bands;
+    struct coverage_gpu gpu;
+};
+
+/* The light of one refractive index: `color` is the one that it is for, -1 all. */
+static bool trace_color(struct state *state, const struct light_input *input, double ior, int color,
+                        struct light_map *map)
 {
-    return coverage_gpu_draw(state, gl, input, map);
+    bool upwards = input->receivers[0] > 0;
+    double sun[3];
+    optics_sun_direction(input->sun, sun);
+    struct coverage_flat flat = coverage_flat_water(sun, ior, upwards);
+    if (!coverage_rays_trace(&state->rays, input->surface, &flat, input->log))
+        return false;
+    for (int slice = 0; slice < map->slices; slice++) {
+        double height = input->receivers[slice];
+        if (!coverage_plan_make(&state->plan, input, &flat, height, map->side))
+            return false;
+        const struct coverage_receiver receiver = {height, map->side * state->plan.fineness};
+        if (!coverage_cells_place(&state->cells, &state->rays, input->surface, &flat, input->medium->absorption,
+                                  &receiver, &state->plan.kinds, input->log) ||
+            !coverage_bands_trace(&state->bands, &state->cells, &state->plan, color, map, slice, input->log))
+            return false;
+    }
+    return true;
 }
 
-static void finish(void *state, struct dpl_gl *gl)
+static bool trace(void *state, const struct light_input *input, struct light_map *map)
 {
+    double ior[3];
+    water_refractive_indices(input->medium, ior);
+    if (ior[0] == ior[2])
+        return trace_color(state, input, ior[1], -1, map);
+    for (int c = 0; c < 3; c++)
+        if (!trace_color(state, input, ior[c], c, map))
+            return false;
+    return true;
+}
+
+static bool draw(void *state_, struct dpl_gl *gl, const struct light_input *input, struct gpu_texture *map)
+{
+    struct state *state = state_;
+    return coverage_gpu_draw(&state->gpu, gl, input, map);
+}
+
+static void finish(void *state_, struct dpl_gl *gl)
+{
+    struct state *state = state_;
     if (gl)
-        coverage_gpu_finish(state, gl);
+        coverage_gpu_finish(&state->gpu, gl);
+    coverage_rays_finish(&state->rays);
+    coverage_cells_finish(&state->cells);
+    coverage_plan_finish(&state->plan);
+    coverage_bands_finish(&state->bands);
 }
 
 const struct light_technique light_coverage = {
     .name = "coverage",
-    .summary = "every cell's refracted light, by the exact area of each texel that it covers",
-    .source = "this project",
-    .state_size = sizeof(struct coverage_gpu),
+    .summary = "exact areas of the images of the surface's cells, and the sun's disc by its own footprints",
+    .source = "dapple",
+    .params = params,
+    .params_size = sizeof(struct coverage),
+    .state_size = sizeof(struct state),
     .channels = 3,
     .physical = true,
     .reflects = true,
+    .trace = trace,
     .draw = draw,
     .finish = finish,
 };

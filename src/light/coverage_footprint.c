@@ -1,97 +1,80 @@
-/* The footprint of the sun's disc as weights of texels, for coverage_gpu.c. */
-#include "light/coverage_gpu.h"
+/* The sun's disc as a sum along rows: the footprint of one kind of light. */
+#include "light/coverage.h"
+
+#include "base/log.h"
 
 #include <math.h>
-#include <string.h>
+#include <stdlib.h>
 
-#define REACH 7 /* texels from the middle that a footprint may touch */
-#define SIDE (2 * REACH + 1)
-#define RADIUS_POINT 0.02 /* texels; a narrower disc is a point */
-#define RADIUS_OWN 0.75   /* texels; so much of it is left to the cells, which know places between texels */
-#define RADIUS_FINE 2.75  /* texels; in a wider one those do not count */
-#define RADIUS_MAX 5.5    /* texels; a wider one is drawn with larger texels */
-
-/* The share of a uniform ellipse in each texel. */
-static void rasterise(const double covariance[3], double cells[SIDE][SIDE])
+/* Adds the share of a uniform ellipse in each fine texel, chord by chord: `cells` is (2 reach + 1)² around the middle.
+ */
+static void rasterise(const double covariance[3], int reach, double *cells)
 {
-    enum { LINES = 512 };
-    double high = 2 * sqrt(covariance[2]), lean = covariance[1] / fmax(covariance[2], 1e-12);
+    double high = 2 * sqrt(covariance[2]), lean = covariance[1] / fmax(covariance[2], 1e-300);
     double wide = 2 * sqrt(fmax(covariance[0] - lean * covariance[1], 0)), total = 0;
-    memset(cells, 0, sizeof(double[SIDE][SIDE]));
-    for (int l = 0; l < LINES; l++) {
-        double part = 2 * (l + 0.5) / LINES - 1, z = part * high, share = sqrt(1 - part * part); /* of a chord */
-        double left = lean * z - wide * share + 0.5 + REACH, right = lean * z + wide * share + 0.5 + REACH;
-        int row = (int)floor(z + 0.5) + REACH;
-        right = fmax(right, left + 1e-9);
-        for (int i = (int)floor(left); i <= (int)floor(right); i++)
-            cells[row][i] += share * (fmin(i + 1, right) - fmax(i, left)) / (right - left);
-        total += share;
+    int side = 2 * reach + 1, chords = 64 + 32 * (int)high;
+    for (int k = 0; k < chords; k++) {
+        double part = 2 * (k + 0.5) / chords - 1, weight = sqrt(1 - part * part);
+        double half = fmax(wide * weight, 1e-9), middle = lean * part * high + 0.5 + reach;
+        int row = (int)floor(part * high + 0.5) + reach;
+        for (int i = (int)floor(middle - half); i <= (int)floor(middle + half); i++)
+            cells[row * side + i] += weight * (fmin(i + 1, middle + half) - fmax(i, middle - half)) / (2 * half);
+        total += weight;
     }
-    for (int i = 0; i < SIDE * SIDE; i++)
-        cells[i / SIDE][i % SIDE] /= total;
+    for (int i = 0; i < side * side; i++)
+        cells[i] /= total;
 }
 
-static double mean_square(double cells[SIDE][SIDE])
+/* The weight of fine texel (x, z) for a texel of the map: the mean over its own fine texels. */
+static double weight_at(const double *cells, int reach, int fineness, int x, int z)
 {
     double sum = 0;
-    for (int j = 0; j < SIDE; j++)
-        for (int i = 0; i < SIDE; i++)
-            sum += cells[j][i] * ((i - REACH) * (i - REACH) + (j - REACH) * (j - REACH));
-    return sum;
+    for (int j = 0; j < fineness; j++)
+        for (int i = 0; i < fineness; i++)
+            if (abs(x - i) <= reach && abs(z - j) <= reach)
+                sum += cells[(z - j + reach) * (2 * reach + 1) + x - i + reach];
+    return sum / (fineness * fineness);
 }
 
-/* Texels are squares that smear too: the ellipse is made smaller, until all together smear as widely as the disc. */
-static void fit(const double covariance[3], double wanted, double cells[SIDE][SIDE])
+static bool make_room(struct coverage_footprint *footprint, int count, const struct dpl_log *log)
 {
-    double least = 0, most = 1;
-    for (int i = 0; i < 24; i++) {
-        double scale = (least + most) / 2;
-        rasterise((const double[3]){covariance[0] * scale, covariance[1] * scale, covariance[2] * scale}, cells);
-        *(mean_square(cells) < wanted ? &least : &most) = scale;
+    if (footprint->room >= count)
+        return true;
+    free(footprint->taps);
+    footprint->taps = base_allocate(log, (size_t)count, sizeof *footprint->taps, "footprint of the sun");
+    footprint->room = footprint->taps ? count : 0;
+    return footprint->taps != NULL;
+}
+
+bool coverage_footprint_make(struct coverage_footprint *footprint, const double covariance[3], int fineness,
+                             const struct dpl_log *log)
+{
+    const double changes_nothing = 1e-9;
+    double extent = 2 * sqrt(fmax(covariance[0], covariance[2]));
+    int reach = (int)floor(extent + 0.5) + 1, side = 2 * reach + 1, wide = 2 * reach + fineness + 1;
+    double *cells = base_allocate(log, (size_t)side * (size_t)side, sizeof *cells, "footprint of the sun");
+    if (!cells || !make_room(footprint, wide * wide, log)) {
+        free(cells);
+        return false;
     }
-}
-
-/* The largest texels of the sharp map in which the footprint is still drawn well; returns the footprint's radius there.
- */
-static double choose_side(struct coverage_disc *disc)
-{
-    double radius = 2 * sqrt(fmax(disc->covariance[0], disc->covariance[2]));
-    while (radius * disc->side / disc->map_side > RADIUS_MAX && disc->side > 1) {
-        disc->level++;
-        disc->side = (disc->side + 1) / 2;
+    rasterise(covariance, reach, cells);
+    footprint->reach = reach;
+    footprint->count = 0;
+    for (int z = -reach; z < fineness + reach; z++) {
+        double before = 0; /* the weight of the column to the left */
+        for (int x = -reach; x <= fineness + reach; x++) {
+            double here = weight_at(cells, reach, fineness, x, z);
+            if (fabs(before - here) > changes_nothing)
+                footprint->taps[footprint->count++] = (struct coverage_tap){x - 1, z, (float)(before - here)};
+            before = here;
+        }
     }
-    return radius * disc->side / disc->map_side;
+    free(cells);
+    return true;
 }
 
-/* Makes the taps; `scale`: of the covariance. */
-static void make_taps(struct coverage_disc *disc, double scale)
+void coverage_footprint_finish(struct coverage_footprint *footprint)
 {
-    double cells[SIDE][SIDE], texel = (double)disc->map_side / disc->side, covariance[3];
-    for (int i = 0; i < 3; i++)
-        covariance[i] = disc->covariance[i] * scale / (texel * texel);
-    /* Larger texels, and values between them, smear by 1/12 and 1/6 along each axis; the map's own by 1/12 of theirs.
-     */
-    double smeared = disc->level ? 2 * (1.0 / 12 + 1.0 / 6 - 1.0 / 12 / (texel * texel)) : 0;
-    fit(covariance, covariance[0] + covariance[2] - smeared, cells);
-    for (int i = 0; i < SIDE * SIDE; i++) {
-        float *tap = disc->taps[disc->count];
-        tap[0] = (float)(i % SIDE - REACH);
-        tap[1] = (float)(i / SIDE - REACH);
-        tap[2] = (float)cells[i / SIDE][i % SIDE];
-        disc->count += tap[2] > 0 && disc->count + 1 < COVERAGE_TAPS;
-    }
-}
-
-void coverage_disc_make(struct coverage_disc *disc, int side, const double covariance[3])
-{
-    if (disc->map_side == side && !memcmp(disc->covariance, covariance, sizeof disc->covariance))
-        return;
-    *disc = (struct coverage_disc){.map_side = side, .side = side};
-    memcpy(disc->covariance, covariance, sizeof disc->covariance);
-    double radius = choose_side(disc);
-    if (radius > RADIUS_POINT && radius < RADIUS_FINE)
-        disc->own_share = fmin(RADIUS_OWN / radius, 1);
-    double rest = 1 - disc->own_share * disc->own_share;
-    if (radius > RADIUS_POINT && rest > 0)
-        make_taps(disc, rest * fmin(1, pow(RADIUS_MAX / radius, 2)));
+    free(footprint->taps);
+    *footprint = (struct coverage_footprint){0};
 }

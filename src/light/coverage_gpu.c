@@ -78,11 +78,11 @@ static void draw_rays(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct 
 
 static void bind_sun(struct dpl_gl *gl, const struct gpu_program *program, const struct light_input *input, double ior)
 {
-    double sun[3], above[3], beside[3];
-    optics_sun_direction(input->sun, sun);
-    optics_sun_place(input->sun, (const double[2]){1, 0}, above);
-    optics_sun_place(input->sun, (const double[2]){0, 1}, beside);
-    program_vec3(gl, program, "sun", sun);
+    const struct optics_disc disc = optics_sun_disc(input->sun);
+    double above[3], beside[3];
+    optics_disc_place(&disc, (const double[2]){1, 0}, above);
+    optics_disc_place(&disc, (const double[2]){0, 1}, beside);
+    program_vec3(gl, program, "sun", disc.middle);
     program_vec3(gl, program, "sun_rim[0]", above);
     program_vec3(gl, program, "sun_rim[1]", beside);
     program_float(gl, program, "ior", ior);
@@ -213,10 +213,11 @@ static void find_covariance(const struct light_input *input, double ior, double 
                             double covariance[3])
 {
     static const double rim[4][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+    const struct optics_disc disc = optics_sun_disc(input->sun);
     double uvq[4][3], axes[2][2];
     for (int i = 0; i < 4; i++) {
         double sun[3];
-        optics_sun_place(input->sun, rim[i], sun);
+        optics_disc_place(&disc, rim[i], sun);
         sun[1] = fmax(sun[1], 1e-3); /* a sun that sets is seen whole */
         flat_ray(sun, ior, is_upwards(input), uvq[i]);
     }

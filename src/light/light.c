@@ -4,9 +4,9 @@
 
 #include <stdlib.h>
 
-extern const struct light_technique light_coverage, light_multi_sample;
+extern const struct light_technique light_coverage, light_multi_sample, light_reference;
 
-const struct light_technique *const light_techniques[] = {&light_multi_sample, &light_coverage, NULL};
+const struct light_technique *const light_techniques[] = {&light_coverage, &light_multi_sample, &light_reference, NULL};
 
 const char *light_technique_name(int i)
 {
@@ -19,6 +19,8 @@ const struct dpl_param light_settings_params[] = {
     PARAM_INT(struct light_settings, map, 512, 1, LIGHT_MAP_MAX, "texels", "side of the caustic map"),
     PARAM_INT(struct light_settings, mesh, 512, 2, LIGHT_MESH_MAX, "vertices",
               "side of the surface's grid, for water models without one of their own"),
+    PARAM_FLOAT(struct light_settings, error, 1, 0.05, 20, "%",
+                "wanted error of a physical map, RMS, where detail is left to be chosen (0 elsewhere)"),
     PARAM_INT(struct light_settings, slices, 1, 1, LIGHT_SLICES_MAX, "",
               "maps at even steps from the floor (slice 0) up towards the surface"),
     PARAM_FLOAT(

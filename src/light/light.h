@@ -22,6 +22,7 @@
 struct light_settings {
     int technique;     /* index into light_techniques */
     int map, mesh;     /* texels, vertices a side */
+    double error;      /* per cent, wanted */
     int slices;        /* receivers below the surface */
     double ceiling;    /* m above the rest surface, of a receiver there; 0: none */
     double depth_bias; /* m */
@@ -70,7 +71,7 @@ struct light_technique {
     int channels;      /* of its map: 1 grey, 3 red green blue */
     bool physical;     /* its map is irradiance in units of flat water */
     bool reflects;     /* serves receivers above the surface too */
-    bool refines;      /* its map gets better while it is called again with the same input: it needs no grid */
+    bool refines;      /* its map gets better while it is called again with the same input */
 
     /* Fills the map on the CPU. NULL: only on the GPU. The map has its size. */
     bool (*trace)(void *state, const struct light_input *input, struct light_map *map);

@@ -4,9 +4,9 @@
 
 #include <stdlib.h>
 
-static bool is_grey(const struct gpu_texture *map)
+int map_texture_channels(const struct gpu_texture *map)
 {
-    return map->format == GL_R16F || map->format == GL_R32F;
+    return map->format == GL_R16F || map->format == GL_R32F ? 1 : 3;
 }
 
 void map_texture_resize(struct dpl_gl *gl, struct gpu_texture *map, int side, int channels, int slices,
@@ -25,7 +25,7 @@ void map_texture_bind(struct dpl_gl *gl, const struct gpu_texture *map, const st
 {
     texture_bind(gl, map, (GLenum)unit);
     program_int(gl, program, "light_texels", unit);
-    program_int(gl, program, "light_channels", is_grey(map) ? 1 : 3);
+    program_int(gl, program, "light_channels", map_texture_channels(map));
 }
 
 struct dpl_image *map_texture_read(struct dpl_gl *gl, struct gpu_texture *map, int slice)
@@ -42,7 +42,7 @@ struct dpl_image *map_texture_read(struct dpl_gl *gl, struct gpu_texture *map, i
     gl->ReadPixels(0, 0, side, side, GL_RGBA, GL_FLOAT, texels);
     for (size_t i = 0; i < count; i++)
         for (size_t c = 0; c < 3; c++)
-            image->pixels[i * 3 + c] = texels[i * 4 + (is_grey(map) ? 0 : c)];
+            image->pixels[i * 3 + c] = texels[i * 4 + (map_texture_channels(map) == 1 ? 0 : c)];
     free(texels);
     return image;
 }

@@ -17,6 +17,9 @@ void map_texture_resize(struct dpl_gl *gl, struct gpu_texture *map, int side, in
 /* Sets the uniforms of light/map.glsl in the program in use, the texture on the given unit. */
 void map_texture_bind(struct dpl_gl *gl, const struct gpu_texture *map, const struct gpu_program *program, int unit);
 
+/* Channels that hold something: 1 or 3. */
+int map_texture_channels(const struct gpu_texture *map);
+
 /* One slice as a new image of three channels. */
 struct dpl_image *map_texture_read(struct dpl_gl *gl, struct gpu_texture *map, int slice);
 

@@ -14,18 +14,29 @@ static const double degree = M_PI / 180;
 
 void optics_sun_direction(const struct optics_sun *sun, double out[3])
 {
-    optics_sun_place(sun, (const double[2]){0, 0}, out);
+    struct optics_disc disc = optics_sun_disc(sun);
+    for (int i = 0; i < 3; i++)
+        out[i] = disc.middle[i];
+}
+
+struct optics_disc optics_sun_disc(const struct optics_sun *sun)
+{
+    double elevation = sun->elevation * degree, azimuth = sun->azimuth * degree;
+    double radius = sin(sun->angular_radius * degree);
+    return (struct optics_disc){
+        .middle = {cos(elevation) * cos(azimuth), sin(elevation), cos(elevation) * sin(azimuth)},
+        .up = {-radius * sin(elevation) * cos(azimuth), radius * cos(elevation),
+               -radius * sin(elevation) * sin(azimuth)},
+        .across = {-radius * sin(azimuth), 0, radius * cos(azimuth)},
+        .radius = radius,
+    };
 }
 
 /* A disc at right angles to the middle direction: the sine of a place's angle grows with its distance from the middle,
  * so equal areas of the disc stand for equal shares of the irradiance on it. */
-void optics_sun_place(const struct optics_sun *sun, const double disc[2], double out[3])
+void optics_disc_place(const struct optics_disc *disc, const double place[2], double out[3])
 {
-    double elevation = sun->elevation * degree, azimuth = sun->azimuth * degree;
-    double up = cos(elevation), middle = sin(elevation), radius = sin(sun->angular_radius * degree);
-    double a = disc[0] * radius, b = disc[1] * radius, c = sqrt(1 - a * a - b * b);
-    double along = c * up - a * middle; /* horizontally, towards the sun */
-    out[0] = along * cos(azimuth) - b * sin(azimuth);
-    out[1] = c * middle + a * up;
-    out[2] = along * sin(azimuth) + b * cos(azimuth);
+    double square = disc->radius * disc->radius * (place[0] * place[0] + place[1] * place[1]);
+    for (int i = 0; i < 3; i++)
+        out[i] = sqrt(1 - square) * disc->middle[i] + place[0] * disc->up[i] + place[1] * disc->across[i];
 }

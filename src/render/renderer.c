@@ -2,33 +2,24 @@
 #include "dapple/renderer.h"
 
 #include "base/log.h"
-#include "light/blur.h"
-#include "light/map_texture.h"
 #include "render/camera.h"
+#include "render/difference.h"
+#include "render/lighting.h"
 #include "render/look_collard.h"
 #include "render/sand.h"
 #include "render/thumbnail.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 struct dpl_renderer {
     struct dpl_gl *gl; /* NULL: CPU only */
-    enum dpl_device device;
     const struct dpl_log *log;
     struct gpu_timer timer;
-
-    struct wave waves[WATER_WAVES_MAX];
-    struct water_setup setup;
-    double receivers[LIGHT_SLICES_MAX];
-    struct surface surface;
-    struct surface_gpu surface_gpu;
-
-    void *technique_states[SCENE_TECHNIQUES_MAX]; /* made when first used */
-    struct light_map map;
-    struct gpu_texture map_texture, blurred_texture;
-    struct gpu_texture *shown_map; /* whichever of the two is finished */
-    struct light_blur blur;
-
+    struct lighting lighting;
+    struct dpl_compare compare;
+    bool compared; /* the maps made last are two */
+    struct difference difference;
     struct sand sand;
     struct look_collard_state look_collard;
     struct gpu_target target;
@@ -43,9 +34,9 @@ struct dpl_renderer *dpl_renderer_create(struct dpl_gl *gl, enum dpl_device devi
     if (!renderer)
         return NULL;
     renderer->gl = gl;
-    renderer->device = device;
     renderer->log = log;
     renderer->timer.gl = gl;
+    renderer->lighting = (struct lighting){.gl = gl, .device = device, .log = log, .timer = &renderer->timer};
     return renderer;
 }
 
@@ -54,19 +45,10 @@ void dpl_renderer_destroy(struct dpl_renderer *renderer)
     if (!renderer)
         return;
     struct dpl_gl *gl = renderer->gl;
-    for (int i = 0; light_techniques[i]; i++) {
-        if (renderer->technique_states[i])
-            light_techniques[i]->finish(renderer->technique_states[i], gl);
-        free(renderer->technique_states[i]);
-    }
+    lighting_finish(&renderer->lighting);
     timer_finish(&renderer->timer);
-    blur_finish(&renderer->blur, gl);
-    light_map_finish(&renderer->map);
-    surface_finish(&renderer->surface);
     if (gl) {
-        surface_gpu_finish(gl, &renderer->surface_gpu);
-        texture_finish(gl, &renderer->map_texture);
-        texture_finish(gl, &renderer->blurred_texture);
+        difference_finish(gl, &renderer->difference);
         sand_finish(gl, &renderer->sand);
         look_collard_finish(&renderer->look_collard, gl);
         target_finish(gl, &renderer->target);
@@ -75,158 +57,6 @@ void dpl_renderer_destroy(struct dpl_renderer *renderer)
     }
     free(renderer->pixels);
     free(renderer);
-}
-
-/* Where the light is computed: on the CPU where asked, where OpenGL cannot, or where OpenGL itself runs there. */
-static bool light_on_cpu(const struct dpl_renderer *renderer, const struct light_technique *technique)
-{
-    const struct dpl_gl *gl = renderer->gl;
-    if (!gl || !gl->info.float_render || !technique->draw)
-        return true;
-    if (renderer->device == DPL_DEVICE_AUTO)
-        return gl->info.software && technique->trace;
-    return renderer->device == DPL_DEVICE_CPU;
-}
-
-static bool surface_on_gpu(const struct dpl_renderer *renderer, const struct dpl_scene *scene)
-{
-    return renderer->device != DPL_DEVICE_CPU &&
-           surface_gpu_can_evaluate(renderer->gl, water_models[scene->medium.model]);
-}
-
-static bool check_side(const struct dpl_renderer *renderer, const char *what, int side)
-{
-    return !renderer->gl || side <= renderer->gl->info.texture_max ||
-           base_fail(renderer->log, DPL_REASON_LIMIT, "%s: too large for this device: %d (at most %d a side)", what,
-                     side, renderer->gl->info.texture_max);
-}
-
-static bool make_surface(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time, bool on_cpu,
-                         bool on_gpu)
-{
-    const struct water_model *model = water_models[scene->medium.model];
-    struct water_setup setup = scene_water_setup(scene, renderer->waves);
-    timer_pass(&renderer->timer, "surface");
-    if (renderer->gl)
-        gpu_enter(renderer->gl);
-    if (on_gpu && !check_side(renderer, "the water's grid", model->grid(&setup)))
-        return false;
-    if (on_gpu && !on_cpu && surface_on_gpu(renderer, scene))
-        return surface_gpu_evaluate(renderer->gl, &renderer->surface_gpu, model, &setup, time);
-    if (!water_evaluate(model, &setup, time, &renderer->surface, renderer->log))
-        return false;
-    if (on_gpu)
-        surface_gpu_upload(renderer->gl, &renderer->surface_gpu, &renderer->surface);
-    return true;
-}
-
-static void *technique_state(struct dpl_renderer *renderer, int index)
-{
-    void **state = renderer->technique_states + index;
-    if (!*state)
-        *state = base_allocate(renderer->log, 1, light_techniques[index]->state_size, light_techniques[index]->name);
-    return *state;
-}
-
-static struct light_input light_input(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time)
-{
-    renderer->setup = scene_water_setup(scene, renderer->waves);
-    return (struct light_input){
-        .surface = &renderer->surface,
-        .surface_gpu = &renderer->surface_gpu,
-        .model = water_models[scene->medium.model],
-        .setup = &renderer->setup,
-        .time = time,
-        .receivers = renderer->receivers,
-        .slices = scene_receivers(scene, renderer->receivers),
-        .sun = &scene->sun,
-        .medium = &scene->medium,
-        .settings = &scene->caustics,
-        .params = scene->technique_params[scene->caustics.technique],
-        .log = renderer->log,
-    };
-}
-
-static bool trace_light(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time)
-{
-    const struct light_technique *technique = light_techniques[scene->caustics.technique];
-    if (!technique->trace)
-        return base_fail(renderer->log, DPL_REASON_UNSUPPORTED,
-                         "%s: has no CPU path (--device gl), or no OpenGL that it can use", technique->name);
-    void *state = technique_state(renderer, scene->caustics.technique);
-    struct light_input input = light_input(renderer, scene, time);
-    if (!state ||
-        !light_map_resize(&renderer->map, scene->caustics.map, technique->channels, input.slices, renderer->log))
-        return false;
-    timer_pass(&renderer->timer, "light");
-    if (!technique->trace(state, &input, &renderer->map))
-        return false;
-    if (scene->caustics.blur)
-        timer_pass(&renderer->timer, "blur");
-    return blur_map(&renderer->blur, &renderer->map, scene->caustics.blur, renderer->log);
-}
-
-static void resize_map_texture(struct dpl_renderer *renderer, struct gpu_texture *texture,
-                               const struct dpl_scene *scene, enum map_origin origin, bool finished)
-{
-    const struct light_technique *technique = light_techniques[scene->caustics.technique];
-    bool periodic = technique->physical && water_models[scene->medium.model]->periodic;
-    double receivers[LIGHT_SLICES_MAX];
-    map_texture_resize(renderer->gl, texture, scene->caustics.map, technique->channels,
-                       scene_receivers(scene, receivers), origin, finished, periodic);
-}
-
-static bool draw_light(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time)
-{
-    const struct light_technique *technique = light_techniques[scene->caustics.technique];
-    void *state = technique_state(renderer, scene->caustics.technique);
-    struct light_input input = light_input(renderer, scene, time);
-    if (!state)
-        return false;
-    timer_pass(&renderer->timer, "light");
-    resize_map_texture(renderer, &renderer->map_texture, scene, MAP_DRAWN, scene->caustics.blur == 0);
-    renderer->shown_map = &renderer->map_texture;
-    if (!technique->draw(state, renderer->gl, &input, &renderer->map_texture))
-        return false;
-    if (scene->caustics.blur == 0)
-        return true;
-    timer_pass(&renderer->timer, "blur");
-    resize_map_texture(renderer, &renderer->blurred_texture, scene, MAP_DRAWN, true);
-    renderer->shown_map = &renderer->blurred_texture;
-    return blur_draw(&renderer->blur, renderer->gl, &renderer->map_texture, scene->caustics.blur,
-                     &renderer->blurred_texture);
-}
-
-static bool check_scene(const struct dpl_renderer *renderer, const struct dpl_scene *scene)
-{
-    const struct light_technique *technique = light_techniques[scene->caustics.technique];
-    if (scene->caustics.ceiling > 0 && !technique->reflects)
-        return base_fail(renderer->log, DPL_REASON_UNSUPPORTED,
-                         "caustics.ceiling: %s maps no reflected light: \"%g\" (accepted: 0)", technique->name,
-                         scene->caustics.ceiling);
-    return check_side(renderer, "caustics.map", scene->caustics.map);
-}
-
-/* Surface and light. `textures`: the GPU needs both, to draw a picture with. */
-static bool make_light(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time, bool textures)
-{
-    const struct light_technique *technique = light_techniques[scene->caustics.technique];
-    bool on_cpu = light_on_cpu(renderer, technique);
-    if (!check_scene(renderer, scene) || !make_surface(renderer, scene, time, on_cpu, textures || !on_cpu))
-        return false;
-    if (on_cpu ? !trace_light(renderer, scene, time) : !draw_light(renderer, scene, time))
-        return false;
-    if (textures && on_cpu) {
-        timer_pass(&renderer->timer, "upload");
-        resize_map_texture(renderer, &renderer->map_texture, scene, MAP_UPLOADED, true);
-        texture_upload(renderer->gl, &renderer->map_texture, renderer->map.texels);
-        renderer->shown_map = &renderer->map_texture;
-    }
-    if (textures && renderer->shown_map->filter == TEXTURE_MIPMAP) {
-        timer_pass(&renderer->timer, "mipmaps");
-        texture_make_mipmaps(renderer->gl, renderer->shown_map);
-    }
-    return true;
 }
 
 /* Ends a call: true where OpenGL had nothing to say against it. */
@@ -250,16 +80,12 @@ static struct dpl_image *leave_with_image(struct dpl_renderer *renderer, struct 
 
 struct dpl_image *dpl_renderer_surface(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time)
 {
-    bool on_gpu = surface_on_gpu(renderer, scene);
     timer_frame(&renderer->timer);
-    bool ok = make_surface(renderer, scene, time, !on_gpu, on_gpu);
-    timer_pass(&renderer->timer, NULL);
-    if (ok && on_gpu)
-        ok = surface_gpu_read(renderer->gl, &renderer->surface_gpu, &renderer->surface);
+    bool ok = lighting_make_surface(&renderer->lighting, scene, time);
     ok = leave(renderer, 0) && ok;
     if (!ok)
         return NULL;
-    const struct surface *surface = &renderer->surface;
+    const struct surface *surface = &renderer->lighting.surface;
     struct dpl_image *image = dpl_image_create(surface->columns, surface->rows, renderer->log);
     for (size_t i = 0; image && i < (size_t)surface->columns * (size_t)surface->rows * 3; i++)
         image->pixels[i] = surface->texels[i];
@@ -269,26 +95,53 @@ struct dpl_image *dpl_renderer_surface(struct dpl_renderer *renderer, const stru
 struct dpl_image *dpl_renderer_slice(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time,
                                      int slice)
 {
-    int slices = scene_receivers(scene, renderer->receivers);
+    int slices = scene_receivers(scene, renderer->lighting.receivers);
     if (slice < 0 || slice >= slices) {
         base_fail(renderer->log, DPL_REASON_RANGE, "slice: out of range: \"%d\" (accepted: 0 to %d)", slice,
                   slices - 1);
         return NULL;
     }
     timer_frame(&renderer->timer);
-    bool ok = make_light(renderer, scene, time, false);
+    bool ok = lighting_make(&renderer->lighting, scene, time, -1, false);
+    renderer->compared = false;
     timer_pass(&renderer->timer, NULL);
-    struct dpl_image *image = NULL;
-    if (ok && light_on_cpu(renderer, light_techniques[scene->caustics.technique]))
-        image = light_map_image(&renderer->map, slice, renderer->log);
-    else if (ok)
-        image = map_texture_read(renderer->gl, renderer->shown_map, slice);
+    struct lit_map *lit = renderer->lighting.maps + LIT_SCENE;
+    struct dpl_image *image = ok ? lighting_image(&renderer->lighting, lit, slice) : NULL;
     return leave_with_image(renderer, image);
 }
 
 struct dpl_image *dpl_renderer_map(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time)
 {
     return dpl_renderer_slice(renderer, scene, time, 0);
+}
+
+/* The picture from a map, in columns `left` to `right` of the target alone. */
+static bool draw_part(struct dpl_renderer *renderer, struct frame *frame, const struct lit_map *lit, int left,
+                      int right)
+{
+    struct dpl_gl *gl = renderer->gl;
+    frame->map = lit->shown;
+    gl->Scissor(left, 0, right - left, renderer->target.height);
+    return left == right || look_collard_draw(&renderer->look_collard, frame);
+}
+
+/* The scene's picture; or, where techniques are compared, part of each, or the difference of their maps. */
+static bool draw_picture(struct dpl_renderer *renderer, struct frame *frame)
+{
+    const struct dpl_compare *compare = &renderer->compare;
+    const struct lit_map *maps = renderer->lighting.maps;
+    int width = renderer->target.width, split = width;
+    if (compare->mode == DPL_COMPARE_DIFFERENCE) {
+        frame->map = maps[LIT_SCENE].shown;
+        return difference_draw(&renderer->difference, frame, maps[LIT_OTHER].shown, compare->gain, compare->range);
+    }
+    if (compare->mode == DPL_COMPARE_SPLIT)
+        split = (int)lround(fmin(fmax(compare->place, 0), 1) * width);
+    renderer->gl->Enable(GL_SCISSOR_TEST);
+    bool ok = draw_part(renderer, frame, maps + LIT_SCENE, 0, split) &&
+              draw_part(renderer, frame, maps + LIT_OTHER, split, width);
+    renderer->gl->Disable(GL_SCISSOR_TEST);
+    return ok;
 }
 
 /* Surface, light and look into the renderer's own target. */
@@ -298,20 +151,23 @@ static bool draw_frame(struct dpl_renderer *renderer, const struct dpl_scene *sc
     if (!gl)
         return base_fail(renderer->log, DPL_REASON_NO_GL, "a picture needs OpenGL, and there is none");
     timer_frame(&renderer->timer);
-    if (!make_light(renderer, scene, time, true) || !sand_update(gl, &renderer->sand, scene) ||
+    bool compares = renderer->compare.mode != DPL_COMPARE_NOTHING;
+    renderer->compared = false;
+    if (!lighting_make(&renderer->lighting, scene, time, compares ? renderer->compare.technique : -1, true) ||
+        !sand_update(gl, &renderer->sand, scene) ||
         !target_resize(gl, &renderer->target, width, height, scene->render.samples))
         return false;
+    renderer->compared = compares;
     struct frame frame = {
         .gl = gl,
         .scene = scene,
-        .surface = &renderer->surface_gpu,
-        .map = renderer->shown_map,
+        .surface = &renderer->lighting.surface_gpu,
         .sand = &renderer->sand.color,
         .timer = &renderer->timer,
     };
     camera_matrix(&scene->camera, width, height, frame.view_projection);
     target_begin(gl, &renderer->target, scene->render.background);
-    bool ok = look_collard_draw(&renderer->look_collard, &frame);
+    bool ok = draw_picture(renderer, &frame);
     timer_pass(&renderer->timer, "finish");
     target_resolve(gl, &renderer->target);
     return ok;
@@ -353,6 +209,42 @@ struct dpl_image *dpl_renderer_picture(struct dpl_renderer *renderer, const stru
     return leave_with_image(renderer, ok ? read_picture(renderer) : NULL);
 }
 
+void dpl_renderer_progress(struct dpl_renderer *renderer, bool (*step)(void *user, double done), void *user)
+{
+    renderer->lighting.progress = (struct light_progress){step, user};
+}
+
+double dpl_renderer_noise(const struct dpl_renderer *renderer)
+{
+    return renderer->lighting.maps[renderer->compared ? LIT_OTHER : LIT_SCENE].map.noise;
+}
+
+void dpl_renderer_compare(struct dpl_renderer *renderer, const struct dpl_compare *compare)
+{
+    renderer->compare = *compare;
+    if (!light_technique_name(compare->technique))
+        renderer->compare.mode = DPL_COMPARE_NOTHING;
+}
+
+bool dpl_renderer_measure(struct dpl_renderer *renderer, struct dpl_measure *measure)
+{
+    struct lit_map *maps = renderer->lighting.maps;
+    if (!renderer->compared)
+        return base_fail(renderer->log, DPL_REASON_UNSUPPORTED, "nothing to measure: the last frame compared nothing");
+    gpu_enter(renderer->gl);
+    bool physical = true, ok = true;
+    struct dpl_image *images[LIT_MAPS];
+    for (int i = 0; i < LIT_MAPS; i++) {
+        images[i] = lighting_image(&renderer->lighting, maps + i, 0);
+        physical = physical && light_techniques[maps[i].technique]->physical;
+        ok = ok && images[i];
+    }
+    ok = ok && dpl_measure_map(images[LIT_SCENE], images[LIT_OTHER], !physical, measure, renderer->log);
+    for (int i = 0; i < LIT_MAPS; i++)
+        dpl_image_destroy(images[i]);
+    return leave(renderer, 0) && ok;
+}
+
 void dpl_renderer_reload(struct dpl_renderer *renderer)
 {
     if (renderer->gl)
@@ -380,11 +272,13 @@ struct dpl_pass_time dpl_renderer_pass_time(const struct dpl_renderer *renderer,
 
 struct dpl_thumbnail dpl_renderer_thumbnail(struct dpl_renderer *renderer, int index)
 {
-    if (!renderer->gl || !renderer->shown_map)
+    const struct lit_map *maps = renderer->lighting.maps;
+    const struct gpu_texture *other = renderer->compared ? maps[LIT_OTHER].shown : NULL;
+    if (!renderer->gl || !maps[LIT_SCENE].shown)
         return (struct dpl_thumbnail){0};
     gpu_enter(renderer->gl);
-    struct dpl_thumbnail thumbnail =
-        thumbnails_draw(renderer->gl, &renderer->thumbnails, index, &renderer->surface_gpu, renderer->shown_map);
+    struct dpl_thumbnail thumbnail = thumbnails_draw(renderer->gl, &renderer->thumbnails, index,
+                                                     &renderer->lighting.surface_gpu, maps[LIT_SCENE].shown, other);
     gpu_leave(renderer->gl, 0);
     return thumbnail;
 }

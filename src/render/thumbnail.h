@@ -6,7 +6,7 @@
 #include "gpu/program.h"
 #include "water/surface_gpu.h"
 
-#define THUMBNAILS 2
+#define THUMBNAILS 3 /* normals, caustic map, the map that it is compared with */
 
 /* All zero: none yet. */
 struct thumbnails {
@@ -14,9 +14,10 @@ struct thumbnails {
     struct gpu_texture textures[THUMBNAILS];
 };
 
-/* Draws the index-th anew; NULL-named past the last. */
+/* Draws the index-th anew; NULL-named past the last. `other` is NULL where nothing is compared. */
 struct dpl_thumbnail thumbnails_draw(struct dpl_gl *gl, struct thumbnails *thumbnails, int index,
-                                     const struct surface_gpu *surface, const struct gpu_texture *map);
+                                     const struct surface_gpu *surface, const struct gpu_texture *map,
+                                     const struct gpu_texture *other);
 
 void thumbnails_finish(struct dpl_gl *gl, struct thumbnails *thumbnails);
 

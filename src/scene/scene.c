@@ -169,12 +169,14 @@ int scene_receivers(const struct dpl_scene *scene, double heights[LIGHT_SLICES_M
 struct dpl_entry dpl_water_model(int index)
 {
     const struct water_model *model = water_model_name(index) ? water_models[index] : NULL;
-    return model ? (struct dpl_entry){model->name, model->summary, model->source} : (struct dpl_entry){0};
+    return model ? (struct dpl_entry){.name = model->name, .summary = model->summary, .source = model->source}
+                 : (struct dpl_entry){0};
 }
 
 struct dpl_entry dpl_technique(int index)
 {
     const struct light_technique *technique = light_technique_name(index) ? light_techniques[index] : NULL;
-    return technique ? (struct dpl_entry){technique->name, technique->summary, technique->source}
+    return technique ? (struct dpl_entry){technique->name,     technique->summary,  technique->source,
+                                          technique->physical, technique->reflects, technique->refines}
                      : (struct dpl_entry){0};
 }

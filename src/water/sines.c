@@ -4,6 +4,8 @@
  *
  * Without a period of its own a wave has that of the linear dispersion relation of water of finite depth,
  * ω² = g k tanh(k depth) (Airy 1845). Slopes are exact derivatives. */
+#include "base/sine.h"
+#include "base/vector.h"
 #include "water/water.h"
 
 #include <math.h>
@@ -30,12 +32,12 @@ static double period_of(const struct wave *wave, const struct water_setup *setup
     return period > 0 ? fmax(period, PERIOD_MIN) : 0;
 }
 
-/* Phase at the middle of the tile, radians, in one turn so that it stays exact when time is long. */
+/* Phase at the middle of the tile in turns, 0 to 1, so that it stays exact when time is long. */
 static double phase_at(const struct wave *wave, const struct water_setup *setup, double time)
 {
     double period = period_of(wave, setup);
     double turns = wave->phase / 360 - (period > 0 ? time / period : 0);
-    return 2 * M_PI * (turns - floor(turns));
+    return turns - floor(turns);
 }
 
 static int grid(const struct water_setup *setup)
@@ -43,59 +45,118 @@ static int grid(const struct water_setup *setup)
     return setup->mesh;
 }
 
-/* Adds one wave to one row, whose phase at the tile's middle column is `row_phase`. */
-static void add_wave_to_row(const struct wave *wave, const struct water_setup *setup, double row_phase, int count,
-                            float *row)
+/* The waves at one time: h = Σ amplitude cos(2π (along_x x + along_z z + phase)). */
+struct motion {
+    int count;
+    double along_x[WATER_WAVES_MAX], along_z[WATER_WAVES_MAX];                             /* turns a metre */
+    double phase[WATER_WAVES_MAX];                                                         /* turns */
+    double amplitude[WATER_WAVES_MAX], slope_x[WATER_WAVES_MAX], slope_z[WATER_WAVES_MAX]; /* of cosine, of sine */
+};
+
+static void motion_at(struct motion *motion, const struct water_setup *setup, double time)
 {
-    float slope_x = (float)(-2 * M_PI * wave->cycles[0] / setup->size * wave->amplitude);
-    float slope_z = (float)(-2 * M_PI * wave->cycles[1] / setup->size * wave->amplitude);
-    double step = 2 * M_PI * wave->cycles[0] / count;
-    for (int i = 0; i < count; i++) {
-        double angle = row_phase + step * (i - count / 2.0);
-        float cosine = (float)cos(angle), sine = (float)sin(angle);
-        row[3 * i] += (float)wave->amplitude * cosine;
-        row[3 * i + 1] += slope_x * sine;
-        row[3 * i + 2] += slope_z * sine;
+    motion->count = setup->wave_count;
+    for (int w = 0; w < setup->wave_count; w++) {
+        const struct wave *wave = setup->waves + w;
+        motion->along_x[w] = wave->cycles[0] / setup->size;
+        motion->along_z[w] = wave->cycles[1] / setup->size;
+        motion->phase[w] = phase_at(wave, setup, time);
+        motion->amplitude[w] = wave->amplitude;
+        motion->slope_x[w] = -2 * M_PI * motion->along_x[w] * wave->amplitude;
+        motion->slope_z[w] = -2 * M_PI * motion->along_z[w] * wave->amplitude;
+    }
+}
+
+/* Along a row a wave's angle grows by the same step from column to column: within a chunk of columns its sine and
+ * cosine follow from those of the first column, turned by the same angles in every chunk. */
+#define CHUNK 16
+struct turn {
+    float cosine[CHUNK], sine[CHUNK];
+};
+
+VECTOR_CLONES static void fill_chunk(const struct motion *motion, const struct turn *turns, double x, double z,
+                                     float height[restrict CHUNK], float slope_x[restrict CHUNK],
+                                     float slope_z[restrict CHUNK])
+{
+    double cosines[WATER_WAVES_MAX], sines[WATER_WAVES_MAX];
+    for (int w = 0; w < motion->count; w++)
+        sine_cosine(motion->along_x[w] * x + motion->along_z[w] * z + motion->phase[w], sines + w, cosines + w);
+    for (int i = 0; i < CHUNK; i++)
+        height[i] = slope_x[i] = slope_z[i] = 0;
+    for (int w = 0; w < motion->count; w++) {
+        const struct turn *turn = turns + w;
+        float height_cosine = (float)(motion->amplitude[w] * cosines[w]);
+        float height_sine = (float)(motion->amplitude[w] * sines[w]);
+        float x_cosine = (float)(motion->slope_x[w] * cosines[w]), x_sine = (float)(motion->slope_x[w] * sines[w]);
+        float z_cosine = (float)(motion->slope_z[w] * cosines[w]), z_sine = (float)(motion->slope_z[w] * sines[w]);
+        for (int i = 0; i < CHUNK; i++) {
+            height[i] += height_cosine * turn->cosine[i] - height_sine * turn->sine[i];
+            slope_x[i] += x_sine * turn->cosine[i] + x_cosine * turn->sine[i];
+            slope_z[i] += z_sine * turn->cosine[i] + z_cosine * turn->sine[i];
+        }
+    }
+}
+
+static void fill_row(const struct motion *motion, const struct turn *turns, struct surface *surface, int row)
+{
+    double spacing = surface_spacing(surface), half = surface->size / 2;
+    float *texel = surface->texels + (size_t)row * (size_t)surface->columns * 3;
+    for (int start = 0; start < surface->columns; start += CHUNK) {
+        float height[CHUNK], slope_x[CHUNK], slope_z[CHUNK];
+        fill_chunk(motion, turns, start * spacing - half, row * spacing - half, height, slope_x, slope_z);
+        for (int i = 0; i < CHUNK && start + i < surface->columns; i++, texel += 3) {
+            texel[0] = height[i];
+            texel[1] = slope_x[i];
+            texel[2] = slope_z[i];
+        }
     }
 }
 
 static void evaluate(const struct water_setup *setup, double time, struct surface *surface)
 {
-#pragma omp parallel for
-    for (int j = 0; j < surface->rows; j++) {
-        float *row = surface->texels + (size_t)j * (size_t)surface->columns * 3;
-        for (int i = 0; i < surface->columns * 3; i++)
-            row[i] = 0;
-        for (int w = 0; w < setup->wave_count; w++) {
-            const struct wave *wave = setup->waves + w;
-            double row_phase =
-                phase_at(wave, setup, time) + 2 * M_PI * wave->cycles[1] * (j - surface->rows / 2.0) / surface->rows;
-            add_wave_to_row(wave, setup, row_phase, surface->columns, row);
+    struct motion motion;
+    struct turn turns[WATER_WAVES_MAX];
+    motion_at(&motion, setup, time);
+    for (int w = 0; w < motion.count; w++) {
+        for (int i = 0; i < CHUNK; i++) {
+            double sine, cosine;
+            sine_cosine(motion.along_x[w] * surface_spacing(surface) * i, &sine, &cosine);
+            turns[w].cosine[i] = (float)cosine;
+            turns[w].sine[i] = (float)sine;
         }
     }
+#pragma omp parallel for
+    for (int j = 0; j < surface->rows; j++)
+        fill_row(&motion, turns, surface, j);
 }
 
-static void sample_point(const struct water_setup *setup, double time, double x, double z, double out[3])
+VECTOR_CLONES static void add_wave(const struct motion *motion, int w, int count, const double *restrict x,
+                                   const double *restrict z, double *restrict height, double *restrict slope_x,
+                                   double *restrict slope_z)
 {
-    out[0] = out[1] = out[2] = 0;
-    for (int w = 0; w < setup->wave_count; w++) {
-        const struct wave *wave = setup->waves + w;
-        double kx = 2 * M_PI * wave->cycles[0] / setup->size, kz = 2 * M_PI * wave->cycles[1] / setup->size;
-        double angle = kx * x + kz * z + phase_at(wave, setup, time);
-        out[0] += wave->amplitude * cos(angle);
-        out[1] -= wave->amplitude * kx * sin(angle);
-        out[2] -= wave->amplitude * kz * sin(angle);
+    double along_x = motion->along_x[w], along_z = motion->along_z[w], phase = motion->phase[w];
+    double amplitude = motion->amplitude[w], per_x = motion->slope_x[w], per_z = motion->slope_z[w];
+    for (int i = 0; i < count; i++) {
+        double sine, cosine;
+        sine_cosine(along_x * x[i] + along_z * z[i] + phase, &sine, &cosine);
+        height[i] += amplitude * cosine;
+        slope_x[i] += per_x * sine;
+        slope_z[i] += per_z * sine;
     }
 }
 
 static void sample(const struct water_setup *setup, double time, struct water_points *points)
 {
-    for (int i = 0; i < points->count; i++) {
-        double out[3];
-        sample_point(setup, time, points->x[i], points->z[i], out);
-        points->height[i] = out[0];
-        points->slope_x[i] = out[1];
-        points->slope_z[i] = out[2];
+    const int block = 512; /* points, which stay in the cache from wave to wave */
+    struct motion motion;
+    motion_at(&motion, setup, time);
+    for (int from = 0; from < points->count; from += block) {
+        int count = points->count - from < block ? points->count - from : block;
+        for (int i = from; i < from + count; i++)
+            points->height[i] = points->slope_x[i] = points->slope_z[i] = 0;
+        for (int w = 0; w < motion.count; w++)
+            add_wave(&motion, w, count, points->x + from, points->z + from, points->height + from,
+                     points->slope_x + from, points->slope_z + from);
     }
 }
 
@@ -108,7 +169,7 @@ static int constants(const struct water_setup *setup, double time, float constan
         constants[w + 1][0] = (float)(2 * M_PI * wave->cycles[0] / setup->size);
         constants[w + 1][1] = (float)(2 * M_PI * wave->cycles[1] / setup->size);
         constants[w + 1][2] = (float)wave->amplitude;
-        constants[w + 1][3] = (float)phase_at(wave, setup, time);
+        constants[w + 1][3] = (float)(2 * M_PI * phase_at(wave, setup, time));
     }
     return setup->wave_count + 1;
 }

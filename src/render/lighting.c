@@ -1,0 +1,229 @@
+#include "render/lighting.h"
+
+#include "base/log.h"
+
+#include <stdlib.h>
+
+/* One set of maps to make. */
+struct task {
+    const struct dpl_scene *scene;
+    double time;
+    const struct light_technique *technique;
+    struct lit_map *lit;
+    int blur;                  /* texels */
+    const char *const *passes; /* names, as enum pass */
+    bool texture;
+};
+
+enum pass { PASS_LIGHT, PASS_BLUR, PASS_UPLOAD, PASS_MIPMAPS, PASSES };
+static const char *const passes[LIT_MAPS][PASSES] = {
+    {"light", "blur", "upload", "mipmaps"},
+    {"other light", "other blur", "other upload", "other mipmaps"},
+};
+
+/* Where the light is computed: on the CPU where asked, where OpenGL cannot, or where OpenGL itself runs there. */
+static bool light_on_cpu(const struct lighting *lighting, const struct light_technique *technique)
+{
+    const struct dpl_gl *gl = lighting->gl;
+    if (!gl || !gl->info.float_render || !technique->draw)
+        return true;
+    if (lighting->device == DPL_DEVICE_AUTO)
+        return gl->info.software && technique->trace;
+    return lighting->device == DPL_DEVICE_CPU;
+}
+
+static bool surface_on_gpu(const struct lighting *lighting, const struct dpl_scene *scene)
+{
+    return lighting->device != DPL_DEVICE_CPU &&
+           surface_gpu_can_evaluate(lighting->gl, water_models[scene->medium.model]);
+}
+
+static bool check_side(const struct lighting *lighting, const char *what, int side)
+{
+    return !lighting->gl || side <= lighting->gl->info.texture_max ||
+           base_fail(lighting->log, DPL_REASON_LIMIT, "%s: too large for this device: %d (at most %d a side)", what,
+                     side, lighting->gl->info.texture_max);
+}
+
+static bool make_surface(struct lighting *lighting, const struct dpl_scene *scene, double time, bool on_cpu,
+                         bool on_gpu)
+{
+    const struct water_model *model = water_models[scene->medium.model];
+    struct water_setup setup = scene_water_setup(scene, lighting->waves);
+    timer_pass(lighting->timer, "surface");
+    if (lighting->gl)
+        gpu_enter(lighting->gl);
+    if (on_gpu && !check_side(lighting, "the water's grid", model->grid(&setup)))
+        return false;
+    if (on_gpu && !on_cpu && surface_on_gpu(lighting, scene))
+        return surface_gpu_evaluate(lighting->gl, &lighting->surface_gpu, model, &setup, time);
+    if (!water_evaluate(model, &setup, time, &lighting->surface, lighting->log))
+        return false;
+    if (on_gpu)
+        surface_gpu_upload(lighting->gl, &lighting->surface_gpu, &lighting->surface);
+    return true;
+}
+
+bool lighting_make_surface(struct lighting *lighting, const struct dpl_scene *scene, double time)
+{
+    bool on_gpu = surface_on_gpu(lighting, scene);
+    bool ok = make_surface(lighting, scene, time, !on_gpu, on_gpu);
+    timer_pass(lighting->timer, NULL);
+    return ok && (!on_gpu || surface_gpu_read(lighting->gl, &lighting->surface_gpu, &lighting->surface));
+}
+
+static void *technique_state(struct lighting *lighting, const struct task *task)
+{
+    void **state = lighting->technique_states + task->lit->technique;
+    if (!*state)
+        *state = base_allocate(lighting->log, 1, task->technique->state_size, task->technique->name);
+    return *state;
+}
+
+static struct light_input light_input(struct lighting *lighting, const struct task *task)
+{
+    const struct dpl_scene *scene = task->scene;
+    lighting->setup = scene_water_setup(scene, lighting->waves);
+    return (struct light_input){
+        .surface = &lighting->surface,
+        .surface_gpu = &lighting->surface_gpu,
+        .model = water_models[scene->medium.model],
+        .setup = &lighting->setup,
+        .time = task->time,
+        .receivers = lighting->receivers,
+        .slices = scene_receivers(scene, lighting->receivers),
+        .sun = &scene->sun,
+        .medium = &scene->medium,
+        .settings = &scene->caustics,
+        .progress = lighting->progress,
+        .params = scene->technique_params[task->lit->technique],
+        .log = lighting->log,
+    };
+}
+
+static bool trace_light(struct lighting *lighting, const struct task *task)
+{
+    const struct light_technique *technique = task->technique;
+    if (!technique->trace)
+        return base_fail(lighting->log, DPL_REASON_UNSUPPORTED,
+                         "%s: has no CPU path (--device gl), or no OpenGL that it can use", technique->name);
+    void *state = technique_state(lighting, task);
+    struct light_input input = light_input(lighting, task);
+    struct light_map *map = &task->lit->map;
+    if (!state || !light_map_resize(map, task->scene->caustics.map, technique->channels, input.slices, lighting->log))
+        return false;
+    timer_pass(lighting->timer, task->passes[PASS_LIGHT]);
+    if (!technique->trace(state, &input, map))
+        return false;
+    if (task->blur)
+        timer_pass(lighting->timer, task->passes[PASS_BLUR]);
+    return blur_map(&lighting->blur, map, task->blur, lighting->log);
+}
+
+static void resize_texture(struct lighting *lighting, const struct task *task, struct gpu_texture *texture,
+                           enum map_origin origin, bool finished)
+{
+    const struct dpl_scene *scene = task->scene;
+    bool periodic = task->technique->physical && water_models[scene->medium.model]->periodic;
+    double receivers[LIGHT_SLICES_MAX];
+    map_texture_resize(lighting->gl, texture, scene->caustics.map, task->technique->channels,
+                       scene_receivers(scene, receivers), origin, finished, periodic);
+}
+
+static bool draw_light(struct lighting *lighting, const struct task *task)
+{
+    struct lit_map *lit = task->lit;
+    void *state = technique_state(lighting, task);
+    struct light_input input = light_input(lighting, task);
+    lit->map.noise = 0;
+    if (!state)
+        return false;
+    timer_pass(lighting->timer, task->passes[PASS_LIGHT]);
+    resize_texture(lighting, task, &lit->texture, MAP_DRAWN, task->blur == 0);
+    lit->shown = &lit->texture;
+    if (!task->technique->draw(state, lighting->gl, &input, &lit->texture))
+        return false;
+    if (task->blur == 0)
+        return true;
+    timer_pass(lighting->timer, task->passes[PASS_BLUR]);
+    resize_texture(lighting, task, &lit->blurred, MAP_DRAWN, true);
+    lit->shown = &lit->blurred;
+    return blur_draw(&lighting->blur, lighting->gl, &lit->texture, task->blur, &lit->blurred);
+}
+
+static bool make_map(struct lighting *lighting, const struct task *task)
+{
+    struct lit_map *lit = task->lit;
+    if (lit->on_cpu ? !trace_light(lighting, task) : !draw_light(lighting, task))
+        return false;
+    if (task->texture && lit->on_cpu) {
+        timer_pass(lighting->timer, task->passes[PASS_UPLOAD]);
+        resize_texture(lighting, task, &lit->texture, MAP_UPLOADED, true);
+        texture_upload(lighting->gl, &lit->texture, lit->map.texels);
+        lit->shown = &lit->texture;
+    }
+    if (task->texture && lit->shown->filter == TEXTURE_MIPMAP) {
+        timer_pass(lighting->timer, task->passes[PASS_MIPMAPS]);
+        texture_make_mipmaps(lighting->gl, lit->shown);
+    }
+    return true;
+}
+
+static bool check_technique(const struct lighting *lighting, const struct dpl_scene *scene,
+                            const struct light_technique *technique)
+{
+    return scene->caustics.ceiling == 0 || technique->reflects ||
+           base_fail(lighting->log, DPL_REASON_UNSUPPORTED,
+                     "caustics.ceiling: %s maps no reflected light: \"%g\" (accepted: 0)", technique->name,
+                     scene->caustics.ceiling);
+}
+
+bool lighting_make(struct lighting *lighting, const struct dpl_scene *scene, double time, int other, bool textures)
+{
+    const int techniques[LIT_MAPS] = {scene->caustics.technique, other}, count = other < 0 ? 1 : LIT_MAPS;
+    struct task tasks[LIT_MAPS];
+    bool cpu_surface = false, gpu_surface = textures, ok = check_side(lighting, "caustics.map", scene->caustics.map);
+    for (int i = 0; i < count; i++) {
+        const struct light_technique *technique = light_techniques[techniques[i]];
+        /* What a technique is measured against is the truth, and the truth is not blurred. */
+        int blur = i == LIT_OTHER && technique->refines ? 0 : scene->caustics.blur;
+        struct lit_map *lit = lighting->maps + i;
+        lit->technique = techniques[i];
+        lit->on_cpu = light_on_cpu(lighting, technique);
+        tasks[i] = (struct task){scene, time, technique, lit, blur, passes[i], textures};
+        cpu_surface = cpu_surface || (lit->on_cpu && !technique->refines);
+        gpu_surface = gpu_surface || !lit->on_cpu;
+        ok = ok && check_technique(lighting, scene, technique);
+    }
+    ok = ok && make_surface(lighting, scene, time, cpu_surface, gpu_surface);
+    for (int i = 0; i < count; i++)
+        ok = ok && make_map(lighting, tasks + i);
+    return ok;
+}
+
+struct dpl_image *lighting_image(struct lighting *lighting, struct lit_map *lit, int slice)
+{
+    return lit->on_cpu ? light_map_image(&lit->map, slice, lighting->log)
+                       : map_texture_read(lighting->gl, lit->shown, slice);
+}
+
+void lighting_finish(struct lighting *lighting)
+{
+    struct dpl_gl *gl = lighting->gl;
+    for (int i = 0; light_techniques[i]; i++) {
+        if (lighting->technique_states[i])
+            light_techniques[i]->finish(lighting->technique_states[i], gl);
+        free(lighting->technique_states[i]);
+    }
+    blur_finish(&lighting->blur, gl);
+    surface_finish(&lighting->surface);
+    if (gl)
+        surface_gpu_finish(gl, &lighting->surface_gpu);
+    for (int i = 0; i < LIT_MAPS; i++) {
+        light_map_finish(&lighting->maps[i].map);
+        if (gl) {
+            texture_finish(gl, &lighting->maps[i].texture);
+            texture_finish(gl, &lighting->maps[i].blurred);
+        }
+    }
+}

@@ -1,0 +1,51 @@
+/* render/lighting.h: from a scene and a time to the water's surface and to caustic maps, each made where the device
+ * makes it best. */
+#ifndef RENDER_LIGHTING_H
+#define RENDER_LIGHTING_H
+
+#include "dapple/renderer.h"
+#include "gpu/timer.h"
+#include "light/blur.h"
+#include "light/map_texture.h"
+#include "scene/scene.h"
+
+/* The maps of one technique. All zero: none yet. */
+struct lit_map {
+    int technique; /* index into light_techniques */
+    bool on_cpu;   /* `map` holds it */
+    struct light_map map;
+    struct gpu_texture texture, blurred;
+    struct gpu_texture *shown; /* whichever of the two is finished; NULL: none has been made */
+};
+
+enum { LIT_SCENE, LIT_OTHER, LIT_MAPS }; /* by the scene's technique, by the one that it is compared with */
+
+struct lighting {
+    struct dpl_gl *gl; /* NULL: CPU only */
+    enum dpl_device device;
+    const struct dpl_log *log;
+    struct gpu_timer *timer;
+    struct light_progress progress;
+    struct wave waves[WATER_WAVES_MAX];
+    struct water_setup setup;
+    double receivers[LIGHT_SLICES_MAX];
+    struct surface surface;
+    struct surface_gpu surface_gpu;
+    void *technique_states[SCENE_TECHNIQUES_MAX]; /* made when first used */
+    struct light_blur blur;
+    struct lit_map maps[LIT_MAPS];
+};
+
+/* Makes the surface into `surface`, wherever it is computed. */
+bool lighting_make_surface(struct lighting *lighting, const struct dpl_scene *scene, double time);
+
+/* Makes the surface and the maps of the scene's technique, and of `other` (-1: none). `textures`: the GPU needs them
+ * all, to draw a picture with. */
+bool lighting_make(struct lighting *lighting, const struct dpl_scene *scene, double time, int other, bool textures);
+
+/* A finished map as a new image. */
+struct dpl_image *lighting_image(struct lighting *lighting, struct lit_map *lit, int slice);
+
+void lighting_finish(struct lighting *lighting);
+
+#endif

@@ -1,0 +1,245 @@
+/* The photon tracer against light that can be worked out: plane waves, whose map follows from the way of each ray along
+ * one axis, lenses, and means. Laws are written a second time, in angles. */
+#include "reference.h"
+
+/* A ray from the point x of a wave A cos(k x) along x, in the plane through it and the light. */
+struct way {
+    double x, weight; /* where it meets the receiver; before division by what flat water gives */
+};
+
+static double fresnel(double in, double out)
+{
+    double across = sin(in - out) / sin(in + out), along = tan(in - out) / tan(in + out);
+    return (across * across + along * along) / 2;
+}
+
+static struct way way_of(const struct fixture *fixture, const double light[3], double amplitude, double x, double y,
+                         int color)
+{
+    double k = 2 * M_PI * fixture->waves[0].cycles[0] / SIZE, height = amplitude * cos(k * x);
+    double slope = -amplitude * k * sin(k * x), length = hypot(slope, 1);
+    double ior = fixture->medium.ior + (color - 1) * fixture->medium.dispersion / 2;
+    double normal[3] = {-slope / length, 1 / length, 0}, direction[3];
+    double in = fmax(acos(light[0] * normal[0] + light[1] * normal[1]), 1e-5), out = asin(sin(in) / ior);
+    for (int c = 0; c < 3; c++) {
+        double along = (light[c] - cos(in) * normal[c]) / sin(in);
+        direction[c] = y < 0 ? -cos(out) * normal[c] - sin(out) * along : cos(in) * normal[c] - sin(in) * along;
+    }
+    double way = (y - height) / direction[1], share = y < 0 ? 1 - fresnel(in, out) : fresnel(in, out);
+    double absorbed = y < 0 ? exp(-fixture->medium.absorption[color] * way) : 1;
+    return (struct way){x + direction[0] * way, cos(in) * length * share * absorbed};
+}
+
+/* Adds to each column of texels the light of one direction: over each small step of x it is spread evenly between the
+ * ends, which sums weight / |dX/dx| over all folds. */
+static void add_columns(const struct fixture *fixture, const double light[3], double y, int color, double *columns)
+{
+    const int steps = 1000;
+    int side = fixture->task.side;
+    double flat = way_of(fixture, light, 0, 0, y, color).weight;
+    struct way last = way_of(fixture, light, fixture->waves[0].amplitude, 0, y, color);
+    columns[side] += flat;
+    for (int i = 1; i <= steps; i++) {
+        struct way next = way_of(fixture, light, fixture->waves[0].amplitude, SIZE * i / steps, y, color);
+        double from = (fmin(last.x, next.x) / SIZE + 0.5) * side, to = (fmax(last.x, next.x) / SIZE + 0.5) * side;
+        double flux = (last.weight + next.weight) / 2 * side / steps;
+        for (int texel = (int)floor(from); texel <= (int)floor(to); texel++)
+            columns[((texel % side) + side) % side] +=
+                flux * (to > from ? (fmin(to, texel + 1) - fmax(from, texel)) / (to - from) : 1);
+        last = next;
+    }
+}
+
+/* The mean of each column of the map, against the mean over places of the sun's disc. */
+static void expect_columns(struct fixture *fixture, double tolerance)
+{
+    const struct optics_disc disc = optics_sun_disc(&fixture->sun);
+    int side = fixture->task.side, places = fixture->sun.angular_radius > 0 ? 300 : 1;
+    for (int r = 0; r < fixture->task.receiver_count; r++) {
+        for (int c = 0; c < 3; c++) {
+            double columns[SIDE_MAX + 1] = {0};
+            for (int i = 0; i < places; i++) { /* a spiral of equal areas */
+                double radius = sqrt((i + 0.5) / places), turn = 2.399963 * i, light[3];
+                optics_disc_place(&disc, (const double[2]){radius * cos(turn), radius * sin(turn)}, light);
+                add_columns(fixture, places > 1 ? light : disc.middle, fixture->receivers[r], c, columns);
+            }
+            photons_read(&fixture->photons, r, fixture->map);
+            for (int i = 0; i < side; i++) {
+                double sum = 0, wanted = columns[i] / columns[side];
+                for (int j = 0; j < side; j++)
+                    sum += (double)fixture->map[(j * side + i) * 3 + c] / side;
+                if (!(fabs(sum - wanted) <= tolerance * fmax(wanted, 1)))
+                    fail_msg("%.4f instead of %.4f: column %d, colour %d, receiver %g m, sun %g°", sum, wanted, i, c,
+                             fixture->receivers[r], fixture->sun.elevation);
+            }
+        }
+    }
+}
+
+/* Folds and all, to the noise of 20000 photons a column where they bunch: from a third of the focal depth, 2.5 m, to
+ * three times it, and thrown back onto ceilings. */
+static void a_plane_wave_gives_the_sum_over_its_folds(void **state)
+{
+    static const double receivers[] = {-0.84, -2.5, -7.6, 0.3, 1};
+    struct fixture *fixture = *state;
+    memcpy(fixture->receivers, receivers, sizeof receivers);
+    fixture->waves[0] = (struct wave){{2, 0}, 0.04, 0, 0};
+    fixture->setup.wave_count = 1;
+    fixture->task.receiver_count = 5;
+    fixture->task.side = 32;
+    for (int i = 0; i < 6; i++) {
+        fixture->sun = (struct optics_sun){i % 3 == 0 ? 90 : i % 3 == 1 ? 50 : 40, i % 3 == 1 ? 0 : 200, i < 3 ? 0 : 1};
+        fixture->medium.dispersion = i % 3 == 2 ? 0.2 : 0;
+        trace(fixture, 80);
+        expect_columns(fixture, 0.02);
+    }
+}
+
+/* The mean over a grid of rays of the weights that the map's units are made of. */
+static double mean_weight(const struct fixture *fixture, double y, int color)
+{
+    const int side = 300;
+    double light[3], sum = 0;
+    optics_sun_direction(&fixture->sun, light);
+    double tilt = M_PI / 2 - asin(light[1]), ior = fixture->medium.ior, sigma = fixture->medium.absorption[color];
+    double flat_out = asin(sin(tilt) / ior), flat_way = -y / cos(flat_out);
+    for (int k = 0; k < side * side; k++) {
+        double x = SIZE * (k % side) / side, z = SIZE * (k / side) / side, h = 0, slope[2] = {0};
+        for (int w = 0; w < fixture->setup.wave_count; w++) {
+            const struct wave *wave = fixture->waves + w;
+            double kx = 2 * M_PI * wave->cycles[0] / SIZE, kz = 2 * M_PI * wave->cycles[1] / SIZE;
+            double angle = kx * x + kz * z + wave->phase * M_PI / 180;
+            h += wave->amplitude * cos(angle);
+            slope[0] -= wave->amplitude * kx * sin(angle);
+            slope[1] -= wave->amplitude * kz * sin(angle);
+        }
+        double facing = light[1] - light[0] * slope[0] - light[2] * slope[1];
+        double length = sqrt(1 + slope[0] * slope[0] + slope[1] * slope[1]), in = acos(facing / length);
+        double out = asin(sin(in) / ior); /* the ray leaves along (sin out / sin in) (−light) and −the normal's rest */
+        double down = (light[1] - cos(in) / length) / sin(in) * sin(out) + cos(out) / length;
+        sum += facing / light[1] * (1 - fresnel(in, out)) / (1 - fresnel(tilt, flat_out)) *
+               exp(-sigma * ((h - y) / down - flat_way));
+    }
+    return sum / (side * side);
+}
+
+static void a_map_has_the_mean_of_its_rays_weights(void **state)
+{
+    static const double elevations[] = {35, 60, 85};
+    struct fixture *fixture = *state;
+    const struct wave waves[] = {{{3, 1}, 0.03, 40, 0}, {{-2, 4}, 0.02, -90, 0}, {{5, 3}, 0.01, 180, 0}};
+    memcpy(fixture->waves, waves, sizeof waves);
+    fixture->setup.wave_count = 3;
+    fixture->task.side = 32;
+    for (int i = 0; i < 3; i++) {
+        fixture->sun = (struct optics_sun){elevations[i], 100 * i, 0};
+        trace(fixture, 100);
+        for (int c = 0; c < 3; c++) {
+            double mean = read_mean(fixture, 0, c), wanted = mean_weight(fixture, -1, c);
+            if (!(fabs(mean - wanted) < 1e-4))
+                fail_msg("%.6f instead of %.6f, colour %d, sun %g°", mean, wanted, c, elevations[i]);
+        }
+    }
+}
+
+/* The brightest texel of a map along x, z or both. */
+static void find_brightest(struct fixture *fixture, int receiver, int color, int place[2])
+{
+    int side = fixture->task.side, best = 0;
+    photons_read(&fixture->photons, receiver, fixture->map);
+    for (int i = 0; i < side * side; i++)
+        if (fixture->map[3 * i + color] > fixture->map[3 * best + color])
+            best = i;
+    place[0] = best % side;
+    place[1] = best / side;
+}
+
+/* Small waves from straight above gather at n / ((n - 1) A k²) below the crest. */
+static void a_crest_is_a_lens_of_known_focal_length(void **state)
+{
+    struct fixture *fixture = *state;
+    double n = 1.333, k = 2 * M_PI / SIZE, amplitude = 0.01, focus = n / ((n - 1) * amplitude * k * k) - amplitude;
+    double brightest = 0, at = 0;
+    fixture->waves[0] = (struct wave){{1, 0}, amplitude, 0, 0};
+    fixture->setup.wave_count = 1;
+    fixture->sun = (struct optics_sun){90, 0, 0};
+    fixture->medium = (struct water_medium){.ior = n};
+    fixture->task.receiver_count = 9;
+    fixture->task.side = 63; /* a texel in the very middle */
+    for (int r = 0; r < 9; r++)
+        fixture->receivers[r] = -focus * (0.6 + 0.1 * r);
+    trace(fixture, 16);
+    for (int r = 0; r < 9; r++) {
+        double middle = 0;
+        photons_read(&fixture->photons, r, fixture->map);
+        for (int j = 0; j < 63; j++)
+            middle += (double)fixture->map[(j * 63 + 31) * 3] / 63;
+        if (middle > brightest) {
+            brightest = middle;
+            at = -fixture->receivers[r];
+        }
+    }
+    assert_true(fabs(at / focus - 1) < 0.11); /* a step; a texel's width favours the next one below */
+}
+
+/* The sun in +x sends the light of a crest towards -x, by depth × tan of the refracted angle; likewise along z; what
+ * is thrown back goes the same way. */
+static void light_goes_away_from_the_sun(void **state)
+{
+    static const double receivers[] = {-0.5, 0.25};
+    struct fixture *fixture = *state;
+    memcpy(fixture->receivers, receivers, sizeof receivers);
+    fixture->medium = (struct water_medium){.ior = 1.333};
+    fixture->setup.wave_count = 2;
+    fixture->task.receiver_count = 2;
+    fixture->task.side = 40;
+    for (int azimuth = 0; azimuth < 360; azimuth += 90) {
+        double angle = azimuth * M_PI / 180, up = 40 * M_PI / 180, crest = 0.05;
+        fixture->waves[0] = (struct wave){{1, 0}, crest, 0, 0};
+        fixture->waves[1] = (struct wave){{0, 1}, crest, 0, 0};
+        fixture->sun = (struct optics_sun){40, azimuth, 0}; /* = up */
+        trace(fixture, 30);
+        for (int r = 0; r < 2; r++) {
+            /* a trough gathers what is thrown back: half a tile away */
+            double from = r == 0 ? 0 : -1;
+            double shift = r == 0 ? -(0.5 + 2 * crest) * tan(asin(cos(up) / 1.333)) : -(0.25 + 2 * crest) / tan(up);
+            int place[2];
+            find_brightest(fixture, r, 1, place);
+            for (int axis = 0; axis < 2; axis++) {
+                double wanted = from + shift * (axis == 0 ? cos(angle) : sin(angle));
+                double off = (place[axis] + 0.5) / 40 * SIZE - SIZE / 2 - wanted;
+                off -= SIZE * round(off / SIZE);
+                if (fabs(off) > 0.2) /* slanted light bends a lens's focus; a wrong sign is 0.4 to 1 off */
+                    fail_msg("%.3f m off along %c, receiver %g, azimuth %d", off, "xz"[axis], receivers[r], azimuth);
+            }
+        }
+    }
+}
+
+/* Blue is bent more than red: its light lands nearer to where it entered. */
+static void blue_is_bent_more_than_red(void **state)
+{
+    struct fixture *fixture = *state;
+    int red[2], blue[2];
+    fixture->waves[0] = (struct wave){{1, 0}, 0.05, 0, 0};
+    fixture->setup.wave_count = 1;
+    fixture->sun = (struct optics_sun){40, 0, 0};
+    fixture->medium = (struct water_medium){.ior = 1.4, .dispersion = 0.3};
+    fixture->task.side = 64;
+    trace(fixture, 20);
+    find_brightest(fixture, 0, 0, red);
+    find_brightest(fixture, 0, 2, blue);
+    assert_true(red[0] < blue[0] && blue[0] < 32);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(a_plane_wave_gives_the_sum_over_its_folds, setup, teardown),
+        cmocka_unit_test_setup_teardown(a_map_has_the_mean_of_its_rays_weights, setup, teardown),
+        cmocka_unit_test_setup_teardown(a_crest_is_a_lens_of_known_focal_length, setup, teardown),
+        cmocka_unit_test_setup_teardown(light_goes_away_from_the_sun, setup, teardown),
+        cmocka_unit_test_setup_teardown(blue_is_bent_more_than_red, setup, teardown),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
