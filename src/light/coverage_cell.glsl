@@ -14,7 +14,6 @@ uniform float texels_a_meter;
 uniform float widest;        /* texels */
 uniform vec3 sun, sun_rim[2]; /* unit vectors to its middle, and to its rim above and beside that */
 uniform float ior;
-uniform float own_share; /* share of the sun's radius that each cell spreads its light over by itself */
 
 const float SLIVER = 1.0 / 64.0; /* texels: triangles are made no thinner, so that floats hold their area */
 
@@ -112,7 +111,7 @@ vec3 find_spread(vec2 uv)
     vec2 axes[2];
     for (int k = 0; k < 2; k++) {
         vec3 rim = receiver > 0.0 ? optics_reflect(sun_rim[k], normal) : optics_refract(sun_rim[k], normal, ior);
-        axes[k] = (rim.xz / rim.y - uv) * (0.5 * own_share * abs(receiver) * texels_a_meter);
+        axes[k] = (rim.xz / rim.y - uv) * (0.5 * abs(receiver) * texels_a_meter);
     }
     vec2 square = axes[0] * axes[0] + axes[1] * axes[1]; /* a quarter of it is the variance of a disc */
     float lean = (axes[0].x * axes[0].y + axes[1].x * axes[1].y) / max(square.y, 1e-12);
@@ -140,8 +139,9 @@ image make_image(ivec2 index)
     vec2 least = min(min(min(i.upper.a, i.upper.b), i.upper.c), min(min(i.lower.a, i.lower.b), i.lower.c));
     vec2 most = max(max(max(i.upper.a, i.upper.b), i.upper.c), max(max(i.lower.a, i.lower.b), i.lower.c));
     i.spread = vec3(0.0);
-    if (own_share > 0.0)
-        i.spread = find_spread(0.25 * (corners[0].uv + corners[1].uv + corners[2].uv + corners[3].uv));
+#ifndef POINT_SUN
+    i.spread = find_spread(0.25 * (corners[0].uv + corners[1].uv + corners[2].uv + corners[3].uv));
+#endif
     vec2 wider = vec2(i.spread.x + abs(i.spread.y), i.spread.z);
     least -= wider;
     most += wider;

@@ -7,8 +7,7 @@
 #define REACH 7 /* texels from the middle that a footprint may touch */
 #define SIDE (2 * REACH + 1)
 #define RADIUS_POINT 0.02 /* texels; a narrower disc is a point */
-#define RADIUS_OWN 0.75   /* texels; so much of it is left to the cells, which know places between texels */
-#define RADIUS_FINE 2.75  /* texels; in a wider one those do not count */
+#define RADIUS_NARROW 1.0 /* texels; a narrower one is left to the cells, which know places between texels */
 #define RADIUS_MAX 5.5    /* texels; a wider one is drawn with larger texels */
 
 /* The share of a uniform ellipse in each texel. */
@@ -89,9 +88,7 @@ void coverage_disc_make(struct coverage_disc *disc, int side, const double covar
     *disc = (struct coverage_disc){.map_side = side, .side = side};
     memcpy(disc->covariance, covariance, sizeof disc->covariance);
     double radius = choose_side(disc);
-    if (radius > RADIUS_POINT && radius < RADIUS_FINE)
-        disc->own_share = fmin(RADIUS_OWN / radius, 1);
-    double rest = 1 - disc->own_share * disc->own_share;
-    if (radius > RADIUS_POINT && rest > 0)
-        make_taps(disc, rest * fmin(1, pow(RADIUS_MAX / radius, 2)));
+    disc->narrow = radius > RADIUS_POINT && radius < RADIUS_NARROW;
+    if (radius >= RADIUS_NARROW)
+        make_taps(disc, fmin(1, pow(RADIUS_MAX / radius, 2)));
 }
