@@ -40,7 +40,7 @@ static void scale(struct dpl_image *image, double factor)
 static struct dpl_measure measure(const struct dpl_image *image, const struct dpl_image *reference, bool fit)
 {
     struct dpl_measure result;
-    assert_true(dpl_measure_map(image, reference, fit, &result, NULL));
+    assert_true(dpl_measure_map(image, reference, fit, 0, &result, NULL));
     return result;
 }
 
@@ -87,6 +87,26 @@ static void fitted_gain(void **state)
     dpl_image_destroy(reference);
 }
 
+/* Noise of the reference that has nothing to do with the image's error does not show. */
+static void noise_is_taken_out(void **state)
+{
+    (void)state;
+    struct dpl_image *image = make_plain(1, 1, 1), *reference = make_plain(1, 1, 1);
+    struct dpl_measure result;
+    const double error = 0.01, noise = 0.05;
+    for (int i = 0; i < WIDTH * HEIGHT * 3; i++) {
+        image->pixels[i] += (float)(i & 2 ? error : -error);
+        reference->pixels[i] += (float)(i & 1 ? noise : -noise);
+    }
+    double size = sqrt(1 + noise * noise);
+    assert_true(dpl_measure_map(image, reference, false, noise / size, &result, NULL));
+    assert_true(fabs(result.error - error / size) < 1e-6); /* floats near 1 */
+    assert_true(dpl_measure_map(image, reference, false, 1, &result, NULL));
+    assert_true(result.error == 0);
+    dpl_image_destroy(image);
+    dpl_image_destroy(reference);
+}
+
 /* The 99th percentile is the largest difference but for the one in a hundred that lie above it. */
 static void percentile(void **state)
 {
@@ -115,19 +135,19 @@ static void refused(void **state)
     struct dpl_image *image = make_waves(0), *reference = make_waves(0);
     struct dpl_image *other = dpl_image_create(WIDTH, HEIGHT + 1, NULL);
     support_log_start(&log);
-    assert_false(dpl_measure_map(other, reference, false, &result, &log.log));
+    assert_false(dpl_measure_map(other, reference, false, 0, &result, &log.log));
     EXPECT_ERROR(&log, DPL_REASON_VALUE, "size", "96 × 65", "96 × 64");
     assert_false(dpl_measure_flip(other, reference, 67, &mean, &log.log));
     EXPECT_ERROR(&log, DPL_REASON_VALUE, "size");
     assert_null(dpl_measure_colors(other, reference, 1, 1, DPL_COLORS_DIFFERENCE, &log.log));
     EXPECT_ERROR(&log, DPL_REASON_VALUE, "size");
     image->pixels[(5 * WIDTH + 7) * 3 + 1] = NAN;
-    assert_false(dpl_measure_map(image, reference, false, &result, &log.log));
+    assert_false(dpl_measure_map(image, reference, false, 0, &result, &log.log));
     EXPECT_ERROR(&log, DPL_REASON_RANGE, "image to measure: not finite", "column 7, row 5");
-    assert_false(dpl_measure_map(reference, image, true, &result, &log.log));
+    assert_false(dpl_measure_map(reference, image, true, 0, &result, &log.log));
     EXPECT_ERROR(&log, DPL_REASON_RANGE, "reference: not finite");
     scale(reference, 0);
-    assert_false(dpl_measure_map(reference, reference, false, &result, &log.log));
+    assert_false(dpl_measure_map(reference, reference, false, 0, &result, &log.log));
     EXPECT_ERROR(&log, DPL_REASON_RANGE, "reference: mean", "above 0");
     assert_false(dpl_measure_flip(reference, reference, NAN, &mean, &log.log));
     EXPECT_ERROR(&log, DPL_REASON_RANGE, "pixels per degree", "10 to 1000");
@@ -216,13 +236,10 @@ static void false_colors(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(alike),
-        cmocka_unit_test(known_errors),
-        cmocka_unit_test(fitted_gain),
-        cmocka_unit_test(percentile),
-        cmocka_unit_test(refused),
-        cmocka_unit_test(flip_properties),
-        cmocka_unit_test(flip_as_the_authors),
+        cmocka_unit_test(alike),           cmocka_unit_test(known_errors),
+        cmocka_unit_test(fitted_gain),     cmocka_unit_test(noise_is_taken_out),
+        cmocka_unit_test(percentile),      cmocka_unit_test(refused),
+        cmocka_unit_test(flip_properties), cmocka_unit_test(flip_as_the_authors),
         cmocka_unit_test(false_colors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

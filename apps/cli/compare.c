@@ -15,7 +15,7 @@
 #define RUNS 5           /* of a technique that are timed; one before them is not */
 #define SECONDS_ENOUGH 3 /* after them no further run is started */
 
-/* The i-th technique, or NULL past the last. */
+/* The technique of that name; NULL-named: there is none. */
 static struct dpl_entry find_technique(const char *name)
 {
     int i = 0;
@@ -135,18 +135,20 @@ static bool make_and_time_map(struct compare *compare, struct comparison *compar
         samples[runs++] = map_milliseconds(compare->session.renderer);
     } while (comparison->map && runs < left_out * (RUNS + 1) &&
              (runs < 2 || clock_seconds() - started < SECONDS_ENOUGH));
+    if (!comparison->map)
+        return false;
     runs -= left_out;
     qsort(samples + left_out, (size_t)runs, sizeof *samples, compare_numbers);
     comparison->milliseconds = (samples[left_out + (runs - 1) / 2] + samples[left_out + runs / 2]) / 2;
-    return comparison->map != NULL;
+    return true;
 }
 
 static bool measure_technique(struct compare *compare, struct comparison *comparison)
 {
     const struct dpl_log *log = &compare->session.log->log;
     if (!use_technique(compare, comparison->technique.name) || !make_and_time_map(compare, comparison) ||
-        !dpl_measure_map(comparison->map, compare->reference, !comparison->technique.physical, &comparison->measure,
-                         log))
+        !dpl_measure_map(comparison->map, compare->reference, !comparison->technique.physical, compare->noise,
+                         &comparison->measure, log))
         return false;
     comparison->flip = NAN;
     if (!compare->reference_picture)
@@ -182,7 +184,7 @@ static bool write_sheet(const struct compare *compare, struct output *output)
     return ok;
 }
 
-/* An error of about the size of the reference's noise says nothing. */
+/* The noise is taken out of errors, as far as it is known: see dpl_measure_map(). */
 static void warn_of_noise(const struct compare *compare)
 {
     const struct dpl_log *log = &compare->session.log->log;
@@ -191,11 +193,11 @@ static void warn_of_noise(const struct compare *compare)
     for (int i = 0; i < compare->count; i++)
         if (compare->comparisons[i].map && strcmp(compare->comparisons[i].technique.name, compare->against.name))
             least = fmin(least, compare->comparisons[i].measure.error);
-    if (!(compare->noise > least / 3))
+    if (!(compare->noise > 5 * least))
         return;
     snprintf(text, sizeof text,
-             "%s: its noise of %.3g %% is more than a third of the least error, %.3g %%: errors of that size are the "
-             "reference's own (more --seconds, or more reference.photons)",
+             "%s: its noise of %.3g %% is more than five times the least error, %.3g %%, which is therefore known "
+             "roughly (more --seconds, or more reference.photons)",
              compare->against.name, compare->noise * 100, least * 100);
     log->write(log->user, DPL_LOG_WARNING, DPL_REASON_NONE, text);
 }

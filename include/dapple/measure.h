@@ -12,15 +12,18 @@ extern "C" {
 
 /* A map against its reference, over all texels and channels; E: the image's value times `gain`, R: the reference's. */
 struct dpl_measure {
-    double error;  /* relative root mean square: sqrt(Σ(E - R)² / ΣR²) */
+    double error;  /* relative root mean square: sqrt(Σ(E - R)² / ΣR²), without the reference's own noise */
     double p99;    /* 99th percentile of |E - R|, in units of the mean of R */
     double energy; /* mean of E / mean of R */
     double gain;   /* 1, or the one of least error */
 };
 
 /* `fit`: the image is first multiplied by the one gain that makes the error least, for techniques without a physical
- * scale. A reference whose mean is not above 0 has no scale to measure in: the call fails. */
-DPL_API bool dpl_measure_map(const struct dpl_image *image, const struct dpl_image *reference, bool fit,
+ * scale. `noise`: of the reference, as dpl_renderer_noise() gives it. As it has nothing to do with the image's error,
+ * its square is part of the square of what is seen, and is taken away: errors down to about a tenth of the noise are
+ * known, as there are many texels. The percentile keeps it. A reference whose mean is not above 0 has no scale to
+ * measure in: the call fails. */
+DPL_API bool dpl_measure_map(const struct dpl_image *image, const struct dpl_image *reference, bool fit, double noise,
                              struct dpl_measure *result, const struct dpl_log *log);
 
 /* Mean ꟻLIP (Andersson et al. 2020) of two pictures of displayable values 0 to 1 (sRGB): how different they look to one

@@ -47,18 +47,29 @@ static double sample(const struct light_input *input, double receiver, int i, do
     return receiver > 0 ? fmax(receiver - (double)texel[0], 0) : fmin(receiver - (double)texel[0], 0);
 }
 
-/* What is known of the slopes along the sun's azimuth and across it. */
+/* What is known of the surface: its slopes along the sun's azimuth and across it, and how curved it is. */
 struct slopes {
     double axis[2][2];
     double mean[2], deviation[2];
+    double curvature; /* 1/m: of the crests of a wave alone; the root of the sum of squares of many */
 };
+
+/* Sum of the second derivatives at the i-th of the vertices, by differences. */
+static double bend(const struct surface *surface, int i)
+{
+    int column = i % SAMPLES * (surface->columns - 1) / SAMPLES, row = i / SAMPLES * (surface->rows - 1) / SAMPLES;
+    const float *here = surface->texels + ((size_t)row * (size_t)surface->columns + (size_t)column) * 3;
+    const float *right = here + 3, *below = here + 3 * (size_t)surface->columns;
+    return (double)(right[1] - here[1] + below[2] - here[2]) / surface_spacing(surface);
+}
 
 static struct slopes measure_slopes(const struct light_input *input, double receiver)
 {
-    double azimuth = input->sun->azimuth * M_PI / 180, sum[2] = {0}, squares[2] = {0}, at[2];
+    double azimuth = input->sun->azimuth * M_PI / 180, sum[2] = {0}, squares[2] = {0}, bends = 0, at[2];
     struct slopes slopes = {.axis = {{cos(azimuth), sin(azimuth)}, {-sin(azimuth), cos(azimuth)}}};
     for (int i = 0; i < SAMPLES * SAMPLES; i++) {
         sample(input, receiver, i, at);
+        bends += pow(bend(input->surface, i), 2) / (SAMPLES * SAMPLES);
         for (int a = 0; a < 2; a++) {
             double slope = slopes.axis[a][0] * at[0] + slopes.axis[a][1] * at[1];
             sum[a] += slope / (SAMPLES * SAMPLES);
@@ -69,6 +80,7 @@ static struct slopes measure_slopes(const struct light_input *input, double rece
         slopes.mean[a] = sum[a];
         slopes.deviation[a] = sqrt(fmax(squares[a] - sum[a] * sum[a], 0));
     }
+    slopes.curvature = sqrt(2 * bends);
     return slopes;
 }
 
@@ -101,6 +113,17 @@ static int count_kinds(double change, double error)
     while (count > 1 && count < COVERAGE_KINDS_MAX && 1.8 * single / ((count - 1) * (count - 1)) > error)
         count += 2;
     return count;
+}
+
+/* Texels computed along each side of one of the map. What one texel too coarse adds was measured: most where the disc
+ * is about a texel wide, with the square of the fineness less, and little above the depth where crests focus. */
+static int choose_fineness(const struct coverage_flat *flat, const struct slopes *slopes, double receiver,
+                           double radius, double error)
+{
+    double power = flat->upwards ? 2 : 1 - 1 / flat->ior;                  /* of a curved surface as a lens or mirror */
+    double focusing = fmin(fabs(receiver) * power * slopes->curvature, 1); /* 1: in focus */
+    double coarse = 0.075 * fmin(pow(radius, -1.75), radius * radius) * pow(focusing, 3.5);
+    return (int)fmin(fmax(ceil(pow(coarse / error, 1 / 2.3)), 1), COVERAGE_FINENESS_MAX);
 }
 
 static void set_kinds(struct coverage_plan *plan, const struct slopes *slopes)
@@ -180,9 +203,7 @@ bool coverage_plan_make(struct coverage_plan *plan, const struct light_input *in
         return true;
     }
     struct slopes slopes = measure_slopes(input, receiver);
-    /* The error of smearing whole texels is about 5 % for a footprint of one texel, less for wider ones. */
-    double coarse = fmin(0.05 * pow(radius, -1.5), 0.025);
-    plan->fineness = params->fineness ? params->fineness : (int)fmin(fmax(ceil(sqrt(coarse / error)), 1), 3);
+    plan->fineness = params->fineness ? params->fineness : choose_fineness(flat, &slopes, receiver, radius, error);
     for (int a = 0; a < 2; a++)
         plan->kinds.count[a] =
             params->footprints ? params->footprints : count_kinds(variation(input, flat, &slopes, a), error);

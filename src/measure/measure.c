@@ -39,7 +39,7 @@ static double percentile(const struct dpl_image *image, const struct dpl_image *
     return difference;
 }
 
-bool dpl_measure_map(const struct dpl_image *image, const struct dpl_image *reference, bool fit,
+bool dpl_measure_map(const struct dpl_image *image, const struct dpl_image *reference, bool fit, double noise,
                      struct dpl_measure *result, const struct dpl_log *log)
 {
     if (!pair_check(image, reference, log))
@@ -63,7 +63,7 @@ bool dpl_measure_map(const struct dpl_image *image, const struct dpl_image *refe
         errors += difference * difference;
     }
     *result = (struct dpl_measure){
-        .error = sqrt(errors / squares_reference),
+        .error = sqrt(fmax(errors / squares_reference - noise * noise, 0)),
         .p99 = percentile(image, reference, gain, 0.99) / (sum_reference / (double)count),
         .energy = gain * sum / sum_reference,
         .gain = gain,

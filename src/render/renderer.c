@@ -239,7 +239,8 @@ bool dpl_renderer_measure(struct dpl_renderer *renderer, struct dpl_measure *mea
         physical = physical && light_techniques[maps[i].technique]->physical;
         ok = ok && images[i];
     }
-    ok = ok && dpl_measure_map(images[LIT_SCENE], images[LIT_OTHER], !physical, measure, renderer->log);
+    ok = ok && dpl_measure_map(images[LIT_SCENE], images[LIT_OTHER], !physical, maps[LIT_OTHER].map.noise, measure,
+                               renderer->log);
     for (int i = 0; i < LIT_MAPS; i++)
         dpl_image_destroy(images[i]);
     return leave(renderer, 0) && ok;
