@@ -1,5 +1,6 @@
 /* The light that a triangle throws on a texel. A disc of the sun that is hardly wider than a texel is four points, which
- * throw the triangle ±(spread.x, 0) ±(spread.y, spread.z) texels from where its middle does. */
+ * throw the triangle ±(spread.x, 0) ±(spread.y, spread.z) texels from where its middle does.
+ * With POINT_SUN defined there is only the middle: a condition would not spare a software renderer the rest. */
 
 struct triangle {
     vec2 a, b, c;
@@ -24,10 +25,12 @@ float area_left_of(vec2 a, vec2 b, float apart)
     vec2 ends = a.x + slope * (vec2(lower, upper) - a.y);
     ends = clamp(ends, min(a.x, b.x), max(a.x, b.x)); /* a level edge has any slope */
     float least = min(ends.x, ends.y), most = max(max(ends.x, ends.y), least + 1e-5);
-    if (apart == 0.0)
-        return (upper - lower) * mean_in_square(least, most);
+#ifdef POINT_SUN
+    return (upper - lower) * mean_in_square(least, most);
+#else
     return (upper - lower) * 0.5 *
            (mean_in_square(least - apart, most - apart) + mean_in_square(least + apart, most + apart));
+#endif
 }
 
 /* The part of the square at `texel` that lies in the triangle. */
@@ -40,7 +43,9 @@ float area_in(triangle t, vec2 texel, float apart)
 /* The light on the texel whose first corner is there. */
 vec3 light_on(triangle t, vec2 texel, vec3 spread)
 {
-    if (spread.z == 0.0)
-        return t.density * area_in(t, texel, spread.x);
+#ifdef POINT_SUN
+    return t.density * area_in(t, texel, 0.0);
+#else
     return t.density * 0.5 * (area_in(t, texel - spread.yz, spread.x) + area_in(t, texel + spread.yz, spread.x));
+#endif
 }

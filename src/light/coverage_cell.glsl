@@ -14,7 +14,6 @@ uniform float texels_a_meter;
 uniform float widest;        /* texels */
 uniform vec3 sun, sun_rim[2]; /* unit vectors to its middle, and to its rim above and beside that */
 uniform float ior;
-uniform int narrow;          /* each cell spreads its light over the sun's disc; otherwise the sun is a point */
 
 const float SLIVER = 1.0 / 64.0; /* texels: triangles are made no thinner, so that floats hold their area */
 
@@ -140,8 +139,9 @@ image make_image(ivec2 index)
     vec2 least = min(min(min(i.upper.a, i.upper.b), i.upper.c), min(min(i.lower.a, i.lower.b), i.lower.c));
     vec2 most = max(max(max(i.upper.a, i.upper.b), i.upper.c), max(max(i.lower.a, i.lower.b), i.lower.c));
     i.spread = vec3(0.0);
-    if (narrow != 0)
-        i.spread = find_spread(0.25 * (corners[0].uv + corners[1].uv + corners[2].uv + corners[3].uv));
+#ifndef POINT_SUN
+    i.spread = find_spread(0.25 * (corners[0].uv + corners[1].uv + corners[2].uv + corners[3].uv));
+#endif
     vec2 wider = vec2(i.spread.x + abs(i.spread.y), i.spread.z);
     least -= wider;
     most += wider;

@@ -6,8 +6,8 @@
 
 #define REACH 7 /* texels from the middle that a footprint may touch */
 #define SIDE (2 * REACH + 1)
-#define RADIUS_POINT 0.02 /* texels; narrower is a point */
-#define RADIUS_MIN 1.1    /* texels; narrower than that between texels counts */
+#define RADIUS_POINT 0.02 /* texels; a narrower disc is a point */
+#define RADIUS_NARROW 1.0 /* texels; a narrower one is left to the cells, which know places between texels */
 #define RADIUS_MAX 5.5    /* texels; a wider one is drawn with larger texels */
 
 /* The share of a uniform ellipse in each texel. */
@@ -50,28 +50,28 @@ static void fit(const double covariance[3], double wanted, double cells[SIDE][SI
     }
 }
 
-void coverage_disc_make(struct coverage_disc *disc, int side, const double covariance[3])
+/* The largest texels of the sharp map in which the footprint is still drawn well; returns the footprint's radius there.
+ */
+static double choose_side(struct coverage_disc *disc)
 {
-    if (disc->map_side == side && !memcmp(disc->covariance, covariance, sizeof disc->covariance))
-        return;
-    *disc = (struct coverage_disc){.map_side = side, .side = side};
-    memcpy(disc->covariance, covariance, sizeof disc->covariance);
-    double cells[SIDE][SIDE], texel = 1, radius = 2 * sqrt(fmax(covariance[0], covariance[2]));
-    if (radius < RADIUS_MIN) {
-        disc->narrow = radius > RADIUS_POINT;
-        return;
-    }
-    while (radius / texel > RADIUS_MAX && disc->side > 1) {
+    double radius = 2 * sqrt(fmax(disc->covariance[0], disc->covariance[2]));
+    while (radius * disc->side / disc->map_side > RADIUS_MAX && disc->side > 1) {
         disc->level++;
         disc->side = (disc->side + 1) / 2;
-        texel = (double)side / disc->side;
     }
-    double square = texel * texel;
-    double small[3] = {covariance[0] / square, covariance[1] / square, covariance[2] / square};
+    return radius * disc->side / disc->map_side;
+}
+
+/* Makes the taps; `scale`: of the covariance. */
+static void make_taps(struct coverage_disc *disc, double scale)
+{
+    double cells[SIDE][SIDE], texel = (double)disc->map_side / disc->side, covariance[3];
+    for (int i = 0; i < 3; i++)
+        covariance[i] = disc->covariance[i] * scale / (texel * texel);
     /* Larger texels, and values between them, smear by 1/12 and 1/6 along each axis; the map's own by 1/12 of theirs.
      */
-    double smeared = disc->level ? 2 * (1.0 / 12 + 1.0 / 6 - 1.0 / 12 / square) : 0;
-    fit(small, small[0] + small[2] - smeared, cells);
+    double smeared = disc->level ? 2 * (1.0 / 12 + 1.0 / 6 - 1.0 / 12 / (texel * texel)) : 0;
+    fit(covariance, covariance[0] + covariance[2] - smeared, cells);
     for (int i = 0; i < SIDE * SIDE; i++) {
         float *tap = disc->taps[disc->count];
         tap[0] = (float)(i % SIDE - REACH);
@@ -79,4 +79,16 @@ void coverage_disc_make(struct coverage_disc *disc, int side, const double covar
         tap[2] = (float)cells[i / SIDE][i % SIDE];
         disc->count += tap[2] > 0 && disc->count + 1 < COVERAGE_TAPS;
     }
+}
+
+void coverage_disc_make(struct coverage_disc *disc, int side, const double covariance[3])
+{
+    if (disc->map_side == side && !memcmp(disc->covariance, covariance, sizeof disc->covariance))
+        return;
+    *disc = (struct coverage_disc){.map_side = side, .side = side};
+    memcpy(disc->covariance, covariance, sizeof disc->covariance);
+    double radius = choose_side(disc);
+    disc->narrow = radius > RADIUS_POINT && radius < RADIUS_NARROW;
+    if (radius >= RADIUS_NARROW)
+        make_taps(disc, fmin(1, pow(RADIUS_MAX / radius, 2)));
 }

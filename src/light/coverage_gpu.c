@@ -103,7 +103,6 @@ static void bind_cells(struct dpl_gl *gl, const struct gpu_program *program, con
     program_vec4s(gl, program, "offset", 1, offset);
     program_vec3(gl, program, "absorption", receiver->absorption);
     program_vec3(gl, program, "channels", channels);
-    program_int(gl, program, "narrow", receiver->narrow);
     bind_sun(gl, program, input, receiver->ior);
     program_float(gl, program, "receiver", receiver->height);
     program_float(gl, program, "cell", receiver->cell);
@@ -139,7 +138,7 @@ static void compute_cells(struct coverage_gpu *gpu, struct dpl_gl *gl, const str
                           const struct receiver *receiver, const struct gpu_texture *rays, const double channels[3])
 {
     GLuint groups = (GLuint)(receiver->cells * receiver->split + 7) / 8;
-    bind_cells(gl, &gpu->add_program, input, receiver, rays, channels);
+    bind_cells(gl, gpu->add_programs + !receiver->narrow, input, receiver, rays, channels);
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, gpu->light);
     gl->DispatchCompute(groups, groups, 1);
 }
@@ -157,7 +156,7 @@ static void blend_cells(struct coverage_gpu *gpu, struct dpl_gl *gl, const struc
     gl->ClearColor(0, 0, 0, 0);
     if (first)
         gl->Clear(GL_COLOR_BUFFER_BIT);
-    bind_cells(gl, &gpu->points_program, input, receiver, rays, channels);
+    bind_cells(gl, gpu->points_programs + !receiver->narrow, input, receiver, rays, channels);
     if (!gl->info.es)
         gl->Enable(GL_PROGRAM_POINT_SIZE);
     gl->Enable(GL_BLEND);
@@ -260,10 +259,17 @@ static bool build_programs(struct coverage_gpu *gpu, struct dpl_gl *gl)
     bool built = program_ready(gl, &gpu->rays_program, "light/coverage_rays.glsl", "") &&
                  program_ready(gl, &gpu->disc_program, "light/coverage_disc.glsl", "");
     if (gpu->computed)
-        return built && program_compute_ready(gl, &gpu->add_program, "light/coverage_add.glsl", "") &&
-               program_ready(gl, &gpu->resolve_program, "light/coverage_resolve.glsl", "");
-    return built && program_ready(gl, &gpu->points_program, "light/coverage_points.glsl", "") &&
-           program_ready(gl, &gpu->fold_program, "light/coverage_fold.glsl", "");
+        built = built && program_ready(gl, &gpu->resolve_program, "light/coverage_resolve.glsl", "");
+    else
+        built = built && program_ready(gl, &gpu->fold_program, "light/coverage_fold.glsl", "");
+    for (int point = 0; point < 2; point++) {
+        const char *defines = point ? "#define POINT_SUN\n" : "";
+        if (gpu->computed)
+            built = built && program_compute_ready(gl, gpu->add_programs + point, "light/coverage_add.glsl", defines);
+        else
+            built = built && program_ready(gl, gpu->points_programs + point, "light/coverage_points.glsl", defines);
+    }
+    return built;
 }
 
 /* The light of a point sun. `passes`: 1, or 3 with an index for each colour. */
@@ -332,8 +338,10 @@ bool coverage_gpu_draw(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct
 void coverage_gpu_finish(struct coverage_gpu *gpu, struct dpl_gl *gl)
 {
     program_finish(gl, &gpu->rays_program);
-    program_finish(gl, &gpu->add_program);
-    program_finish(gl, &gpu->points_program);
+    for (int point = 0; point < 2; point++) {
+        program_finish(gl, gpu->add_programs + point);
+        program_finish(gl, gpu->points_programs + point);
+    }
     program_finish(gl, &gpu->resolve_program);
     program_finish(gl, &gpu->fold_program);
     program_finish(gl, &gpu->disc_program);

@@ -16,18 +16,19 @@ struct coverage_disc {
     int map_side;                 /* texels of the map that it was made for; 0: not made */
     double covariance[3];         /* likewise, in texels of the map: xx, xz, zz */
     int level, side;              /* the sharp map's side: the map's, halved `level` times and rounded up */
-    bool narrow;                  /* too narrow to be smeared: each cell spreads its own light */
+    bool narrow;                  /* each cell spreads its own light over the disc */
     int count;                    /* of taps; 0: nothing is smeared */
     float taps[COVERAGE_TAPS][4]; /* x, z, weight */
 };
 
 /* All zero: none yet. */
 struct coverage_gpu {
-    struct gpu_program rays_program, add_program, points_program, resolve_program, fold_program, disc_program;
-    struct gpu_texture rays[3];                  /* one, or one for each of red green blue */
-    bool computed;                               /* by compute shaders; otherwise by blending */
-    GLuint light;                                /* whole numbers: three for each texel */
-    int light_side;                              /* texels a side that it holds */
+    struct gpu_program rays_program, resolve_program, fold_program, disc_program;
+    struct gpu_program add_programs[2], points_programs[2]; /* 1: for a point sun */
+    struct gpu_texture rays[3];                             /* one, or one for each of red green blue */
+    bool computed;                                          /* by compute shaders; otherwise by blending */
+    GLuint light;                                           /* whole numbers: three for each texel */
+    int light_side;                                         /* texels a side that it holds */
     struct gpu_texture blended[COVERAGE_LEVELS]; /* in place of `light`, where there is no compute: with a margin */
     struct gpu_texture sharp[COVERAGE_LEVELS];   /* a point sun's light */
     struct coverage_disc discs[LIGHT_SLICES_MAX];
