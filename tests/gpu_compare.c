@@ -142,7 +142,7 @@ static void maps_are_measured(void **state)
     assert_true(dpl_renderer_noise(fixture.renderer) == 0);
     support_set(fixture.scene, "caustics.technique", "reference");
     struct dpl_image *reference = dpl_renderer_map(fixture.renderer, fixture.scene, 1);
-    assert_true(dpl_measure_map(map, reference, true, 0, &expected, NULL));
+    assert_true(dpl_measure_map(map, reference, true, dpl_renderer_noise(fixture.renderer), &expected, NULL));
     assert_true(measure.error == expected.error && measure.p99 == expected.p99 && measure.gain == expected.gain);
     assert_true(measure.error > 0.05 && measure.gain != 1);
     dpl_image_destroy(map);

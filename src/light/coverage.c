@@ -24,8 +24,10 @@ static const struct dpl_param params[] = {
 struct state {
     struct coverage_rays rays;
     struct coverage_cells cells;
+    struct coverage_samples samples;
     struct coverage_plan plan;
     struct coverage_bands bands;
+    struct light_map small;
     struct coverage_gpu gpu;
 };
 
@@ -41,20 +43,28 @@ static bool trace_color(struct state *state, const struct light_input *input, do
         return false;
     for (int slice = 0; slice < map->slices; slice++) {
         double height = input->receivers[slice];
-        if (!coverage_plan_make(&state->plan, input, &flat, height, map->side))
+        if (!coverage_plan_make(&state->plan, input, &state->samples, &flat, height, map->side))
             return false;
-        const struct coverage_receiver receiver = {height, map->side * state->plan.fineness};
+        bool whole = state->plan.side == map->side;
+        const struct coverage_receiver receiver = {height, state->plan.side * state->plan.fineness};
+        if (!whole && !light_map_resize(&state->small, state->plan.side, map->channels, 1, input->log))
+            return false;
         if (!coverage_cells_place(&state->cells, &state->rays, input->surface, &flat, input->medium->absorption,
                                   &receiver, &state->plan.kinds, input->log) ||
-            !coverage_bands_trace(&state->bands, &state->cells, &state->plan, color, map, slice, input->log))
+            !coverage_bands_trace(&state->bands, &state->cells, &state->plan, color, whole ? map : &state->small,
+                                  whole ? slice : 0, input->log))
             return false;
+        if (!whole)
+            coverage_enlarge(&state->small, color, input->surface->periodic, map, slice);
     }
     return true;
 }
 
-static bool trace(void *state, const struct light_input *input, struct light_map *map)
+static bool trace(void *state_, const struct light_input *input, struct light_map *map)
 {
+    struct state *state = state_;
     double ior[3];
+    coverage_samples_take(&state->samples, input);
     water_refractive_indices(input->medium, ior);
     if (ior[0] == ior[2])
         return trace_color(state, input, ior[1], -1, map);
@@ -67,7 +77,8 @@ static bool trace(void *state, const struct light_input *input, struct light_map
 static bool draw(void *state_, struct dpl_gl *gl, const struct light_input *input, struct gpu_texture *map)
 {
     struct state *state = state_;
-    return coverage_gpu_draw(&state->gpu, gl, input, map);
+    coverage_samples_take(&state->samples, input);
+    return coverage_gpu_draw(&state->gpu, gl, input, &state->samples, map);
 }
 
 static void finish(void *state_, struct dpl_gl *gl)
@@ -79,6 +90,7 @@ static void finish(void *state_, struct dpl_gl *gl)
     coverage_cells_finish(&state->cells);
     coverage_plan_finish(&state->plan);
     coverage_bands_finish(&state->bands);
+    light_map_finish(&state->small);
 }
 
 const struct light_technique light_coverage = {

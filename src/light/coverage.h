@@ -122,16 +122,40 @@ bool coverage_footprint_make(struct coverage_footprint *footprint, const double 
                              const struct dpl_log *log);
 void coverage_footprint_finish(struct coverage_footprint *footprint);
 
+/* The water at points spread over the tile: what fineness and footprints are chosen by. */
+#define COVERAGE_SAMPLES 1024
+struct coverage_samples {
+    double arrays[8][COVERAGE_SAMPLES];
+    const double *height, *slopes[2]; /* in `arrays` */
+    double curvature;                 /* 1/m: of the crests of a wave alone; the root of the sum of squares of many */
+};
+void coverage_samples_take(struct coverage_samples *samples, const struct light_input *input);
+
+/* The mean footprint's covariance in square metres; false where no light arrives. */
+bool coverage_mean_footprint(const struct light_input *input, const struct coverage_samples *samples,
+                             const struct coverage_flat *flat, double receiver, double covariance[3]);
+
+/* A footprint of a smaller radius, in texels of the map, is a point. */
+#define COVERAGE_RADIUS_MIN 0.02
+
+/* Texels to compute along each side of one of the map, 1 to `most`, for an error of at most `error`. What smearing
+ * whole texels adds was measured: most where the disc's radius is a texel, less the finer they are, and little where
+ * crests do not focus yet. */
+int coverage_choose_fineness(const struct coverage_samples *samples, const struct coverage_flat *flat, double receiver,
+                             double radius, double error, int most);
+
 /* How finely a receiver is computed, and the footprints of its kinds. All zero: none yet. */
 struct coverage_plan {
+    int side; /* texels of what is computed: the map's, or fewer where the sun's disc blurs it so far that they do */
     int fineness;
     struct coverage_kinds kinds;
     int count; /* of footprints; 1 without taps: a point sun */
     struct coverage_footprint footprints[COVERAGE_KINDS_MAX * COVERAGE_KINDS_MAX];
     int reach; /* the widest's */
 };
-bool coverage_plan_make(struct coverage_plan *plan, const struct light_input *input, const struct coverage_flat *flat,
-                        double receiver, int side);
+bool coverage_plan_make(struct coverage_plan *plan, const struct light_input *input,
+                        const struct coverage_samples *samples, const struct coverage_flat *flat, double receiver,
+                        int side);
 void coverage_plan_finish(struct coverage_plan *plan);
 
 /* Fills and smears: the map of one receiver. `color` is the one that is written, -1 all. */
@@ -145,5 +169,8 @@ bool coverage_bands_trace(struct coverage_bands *bands, const struct coverage_ce
                           const struct coverage_plan *plan, int color, struct light_map *map, int slice,
                           const struct dpl_log *log);
 void coverage_bands_finish(struct coverage_bands *bands);
+
+/* A slice of a map from one with fewer texels, by straight lines between these. */
+void coverage_enlarge(const struct light_map *small, int color, bool periodic, struct light_map *map, int slice);
 
 #endif

@@ -10,7 +10,7 @@ uniform float unit;   /* whole numbers in 1 */
 
 void add(image i, ivec2 texel, vec2 place)
 {
-    vec3 sum = light_on(i.upper, place, i.spread) + light_on(i.lower, place, i.spread);
+    vec3 sum = light_on(i.upper, place) + light_on(i.lower, place);
     ivec3 whole = ivec3(round(sum * unit));
     int at = (texel.y * side + texel.x) * 3;
     if (whole.x != 0)

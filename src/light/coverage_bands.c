@@ -5,6 +5,7 @@
 #include "base/threads.h"
 #include "base/vector.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -179,4 +180,38 @@ bool coverage_bands_trace(struct coverage_bands *bands, const struct coverage_ce
         write_band(&task, &room, first, count, color, texels);
     }
     return true;
+}
+
+/* The texels before and after the i-th of a map's along one axis, and how far it is from the first to the second. */
+static double locate(int i, int side, int small, bool periodic, int texels[2])
+{
+    double place = (i + 0.5) / side * small - 0.5, whole = floor(place);
+    for (int k = 0; k < 2; k++) {
+        int texel = (int)whole + k;
+        texels[k] = periodic ? (texel + small) % small : texel < 0 ? 0 : texel < small ? texel : small - 1;
+    }
+    return place - whole;
+}
+
+void coverage_enlarge(const struct light_map *small, int color, bool periodic, struct light_map *map, int slice)
+{
+    float *out = light_map_slice(map, slice);
+    size_t side = (size_t)map->side, few = (size_t)small->side;
+#pragma omp parallel for
+    for (int j = 0; j < map->side; j++) {
+        int rows[2], columns[2];
+        double z = locate(j, map->side, small->side, periodic, rows);
+        for (int i = 0; i < map->side; i++) {
+            double x = locate(i, map->side, small->side, periodic, columns);
+            for (size_t c = 0; c < 3; c++) {
+                double sum = 0;
+                for (int k = 0; k < 4; k++) {
+                    size_t at = ((size_t)rows[k / 2] * few + (size_t)columns[k % 2]) * 3 + c;
+                    sum += (k / 2 ? z : 1 - z) * (k % 2 ? x : 1 - x) * (double)small->texels[at];
+                }
+                if (color < 0 || (size_t)color == c)
+                    out[((size_t)j * side + (size_t)i) * 3 + c] = (float)sum;
+            }
+        }
+    }
 }

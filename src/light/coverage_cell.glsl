@@ -1,7 +1,6 @@
 /* The image of one cell of the surface on a receiver, in texels of the map. Large cells are split, and the parts count as
  * cells. */
 #include "light/coverage_area.glsl"
-#include "optics/refraction.glsl"
 uniform sampler2D rays;      /* of coverage_rays.glsl */
 uniform vec4 flat_water;     /* u, v; q, the length of light's path for each metre of height, with its sign */
 uniform vec3 absorption;     /* 1/m; 0 above the surface */
@@ -12,21 +11,17 @@ uniform float cell;          /* texels, its side under flat water */
 uniform int split;           /* cells a side that one of the surface is split into */
 uniform float texels_a_meter;
 uniform float widest;        /* texels */
-uniform vec3 sun, sun_rim[2]; /* unit vectors to its middle, and to its rim above and beside that */
-uniform float ior;
 
 const float SLIVER = 1.0 / 64.0; /* texels: triangles are made no thinner, so that floats hold their area */
 
 struct image {
     ivec2 first, count; /* texels that it may touch */
     triangle upper, lower; /* the places of their corners start at texel `first` */
-    vec3 spread;           /* of coverage_area.glsl */
 };
 
 struct corner {
     vec2 place; /* from where flat water has the surface's cell, texels */
     vec3 weight;
-    vec2 uv; /* of the light there */
 };
 
 corner find_vertex(ivec2 index, ivec2 side)
@@ -37,7 +32,7 @@ corner find_vertex(ivec2 index, ivec2 side)
     vec2 uv = flat_water.xy + ray.xy;
     float path = abs(receiver - ray.z) * sqrt(1.0 + dot(uv, uv)) - abs(receiver * flat_water.z);
     vec2 moved = ray.xy * (receiver - ray.z) - flat_water.xy * ray.z;
-    return corner(vec2(side) * cell * float(split) + moved * texels_a_meter, ray.w * exp(-absorption * path) * channels, uv);
+    return corner(vec2(side) * cell * float(split) + moved * texels_a_meter, ray.w * exp(-absorption * path) * channels);
 }
 
 float cross_product(vec2 a, vec2 b)
@@ -101,23 +96,6 @@ void shrink(inout vec2 places[4])
         places[k] = middle + (places[k] - middle) * (widest / extent);
 }
 
-/* How light from the sun's rim leaves the mean of where light from its middle takes that way; Snell's law, or that of
- * reflection, gives the normal there. */
-vec3 find_spread(vec2 uv)
-{
-    vec3 way = normalize(vec3(uv.x, 1.0, uv.y));
-    vec3 normal = receiver > 0.0 ? sun + way : ior * way - sun;
-    normal = length(normal) > 1e-3 ? normalize(normal) : vec3(0.0, 1.0, 0.0);
-    vec2 axes[2];
-    for (int k = 0; k < 2; k++) {
-        vec3 rim = receiver > 0.0 ? optics_reflect(sun_rim[k], normal) : optics_refract(sun_rim[k], normal, ior);
-        axes[k] = (rim.xz / rim.y - uv) * (0.5 * abs(receiver) * texels_a_meter);
-    }
-    vec2 square = axes[0] * axes[0] + axes[1] * axes[1]; /* a quarter of it is the variance of a disc */
-    float lean = (axes[0].x * axes[0].y + axes[1].x * axes[1].y) / max(square.y, 1e-12);
-    return vec3(sqrt(max(square.x - lean * lean * square.y, 0.0)), lean * sqrt(square.y), sqrt(square.y));
-}
-
 image make_image(ivec2 index)
 {
     ivec2 parent = split > 1 ? index / split : index, part = index - parent * split;
@@ -138,13 +116,6 @@ image make_image(ivec2 index)
     move(i.lower, place - whole);
     vec2 least = min(min(min(i.upper.a, i.upper.b), i.upper.c), min(min(i.lower.a, i.lower.b), i.lower.c));
     vec2 most = max(max(max(i.upper.a, i.upper.b), i.upper.c), max(max(i.lower.a, i.lower.b), i.lower.c));
-    i.spread = vec3(0.0);
-#ifndef POINT_SUN
-    i.spread = find_spread(0.25 * (corners[0].uv + corners[1].uv + corners[2].uv + corners[3].uv));
-#endif
-    vec2 wider = vec2(i.spread.x + abs(i.spread.y), i.spread.z);
-    least -= wider;
-    most += wider;
     vec2 start = floor(least);
     move(i.upper, -start);
     move(i.lower, -start);

@@ -1,14 +1,13 @@
 /* The footprint of the sun's disc as weights of texels, for coverage_gpu.c. */
-#include "light/coverage_gpu.h"
+#include "light/coverage.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define REACH 7 /* texels from the middle that a footprint may touch */
 #define SIDE (2 * REACH + 1)
-#define RADIUS_POINT 0.02 /* texels; a narrower disc is a point */
-#define RADIUS_NARROW 1.0 /* texels; a narrower one is left to the cells, which know places between texels */
-#define RADIUS_MAX 5.5    /* texels; a wider one is drawn with larger texels */
+#define RADIUS_MAX 5.5 /* texels; a wider one is drawn with larger texels */
 
 /* The share of a uniform ellipse in each texel. */
 static void rasterise(const double covariance[3], double cells[SIDE][SIDE])
@@ -52,14 +51,24 @@ static void fit(const double covariance[3], double wanted, double cells[SIDE][SI
 
 /* The largest texels of the sharp map in which the footprint is still drawn well; returns the footprint's radius there.
  */
-static double choose_side(struct coverage_disc *disc)
+static double choose_side(struct coverage_disc *disc, double radius)
 {
-    double radius = 2 * sqrt(fmax(disc->covariance[0], disc->covariance[2]));
     while (radius * disc->side / disc->map_side > RADIUS_MAX && disc->side > 1) {
         disc->level++;
         disc->side = (disc->side + 1) / 2;
     }
     return radius * disc->side / disc->map_side;
+}
+
+/* The weight of texel (x, z) of a finer sharp map for a texel of the map: the mean over the latter's own. */
+static double weight_at(double cells[SIDE][SIDE], int fineness, int x, int z)
+{
+    double sum = 0;
+    for (int j = z; j > z - fineness; j--)
+        for (int i = x; i > x - fineness; i--)
+            if (abs(i) <= REACH && abs(j) <= REACH)
+                sum += cells[j + REACH][i + REACH];
+    return sum / (fineness * fineness);
 }
 
 /* Makes the taps; `scale`: of the covariance. */
@@ -72,23 +81,32 @@ static void make_taps(struct coverage_disc *disc, double scale)
      */
     double smeared = disc->level ? 2 * (1.0 / 12 + 1.0 / 6 - 1.0 / 12 / (texel * texel)) : 0;
     fit(covariance, covariance[0] + covariance[2] - smeared, cells);
-    for (int i = 0; i < SIDE * SIDE; i++) {
-        float *tap = disc->taps[disc->count];
-        tap[0] = (float)(i % SIDE - REACH);
-        tap[1] = (float)(i / SIDE - REACH);
-        tap[2] = (float)cells[i / SIDE][i % SIDE];
-        disc->count += tap[2] > 0 && disc->count + 1 < COVERAGE_TAPS;
+    for (int z = -REACH; z < REACH + disc->fineness; z++) {
+        for (int x = -REACH; x < REACH + disc->fineness; x++) {
+            float *tap = disc->taps[disc->count], middle = (float)(disc->fineness - 1) / 2;
+            tap[0] = (float)x - middle;
+            tap[1] = (float)z - middle;
+            tap[2] = (float)weight_at(cells, disc->fineness, x, z);
+            disc->count += tap[2] > 0 && disc->count + 1 < COVERAGE_TAPS;
+        }
     }
 }
 
-void coverage_disc_make(struct coverage_disc *disc, int side, const double covariance[3])
+void coverage_disc_make(struct coverage_disc *disc, int side, const double covariance[3], int fineness)
 {
-    if (disc->map_side == side && !memcmp(disc->covariance, covariance, sizeof disc->covariance))
+    if (disc->map_side == side && disc->fineness == fineness &&
+        !memcmp(disc->covariance, covariance, sizeof disc->covariance))
         return;
-    *disc = (struct coverage_disc){.map_side = side, .side = side};
+    *disc = (struct coverage_disc){.map_side = side, .side = side * fineness, .fineness = fineness};
     memcpy(disc->covariance, covariance, sizeof disc->covariance);
-    double radius = choose_side(disc);
-    disc->narrow = radius > RADIUS_POINT && radius < RADIUS_NARROW;
-    if (radius >= RADIUS_NARROW)
+    double radius = choose_side(disc, 2 * sqrt(fmax(covariance[0], covariance[2])));
+    if (radius >= COVERAGE_RADIUS_MIN)
         make_taps(disc, fmin(1, pow(RADIUS_MAX / radius, 2)));
+}
+
+int coverage_disc_fineness(double radius, int wanted)
+{
+    while (wanted > 1 && radius * wanted > RADIUS_MAX - 1)
+        wanted--;
+    return wanted;
 }

@@ -2,7 +2,7 @@
  *
  * Light is added up as whole numbers by compute shaders, so that the order of the additions does not show; where there
  * are none, by blending, whose order OpenGL fixes, into a target with a margin, as what is drawn cannot wrap round. */
-#include "light/coverage_gpu.h"
+#include "light/coverage.h"
 
 #include "base/log.h"
 #include "optics/refraction.h"
@@ -11,18 +11,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define CELL_MAX 16  /* texels; larger cells are split, for points are not drawn in any size */
-#define UNIT 65536.0 /* whole numbers in the light of flat water: the brightest texel may be 65536 times as bright */
+#define ERROR_MIN 0.02 /* of the map: what one footprint for all slopes leaves makes finer maps useless */
+#define CELL_MAX 16    /* texels; larger cells are split, for points are not drawn in any size */
+#define UNIT 65536.0   /* whole numbers in the light of flat water: the brightest texel may be 65536 times as bright */
 
 /* One picture of the surface's cells on one receiver. */
 struct receiver {
     double height;  /* m */
     double flat[3]; /* u, v, q of flat water */
     double absorption[3];
-    double offset[2]; /* texels, from the map's corner to where flat water has the first vertex */
-    int side, level;  /* texels of the sharp map */
-    bool narrow;      /* see struct coverage_disc */
-    double ior;
+    double offset[2];   /* texels, from the map's corner to where flat water has the first vertex */
+    int side, level;    /* texels of the sharp map */
     int cells, split;   /* a side of the surface, and that each of them is split into */
     double cell;        /* texels, of what is split */
     int widest, margin; /* texels of a cell's image; of the blended light */
@@ -76,18 +75,6 @@ static void draw_rays(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct 
     gpu_draw_screen(gl);
 }
 
-static void bind_sun(struct dpl_gl *gl, const struct gpu_program *program, const struct light_input *input, double ior)
-{
-    const struct optics_disc disc = optics_sun_disc(input->sun);
-    double above[3], beside[3];
-    optics_disc_place(&disc, (const double[2]){1, 0}, above);
-    optics_disc_place(&disc, (const double[2]){0, 1}, beside);
-    program_vec3(gl, program, "sun", disc.middle);
-    program_vec3(gl, program, "sun_rim[0]", above);
-    program_vec3(gl, program, "sun_rim[1]", beside);
-    program_float(gl, program, "ior", ior);
-}
-
 /* Sets the uniforms of coverage_cell.glsl. */
 static void bind_cells(struct dpl_gl *gl, const struct gpu_program *program, const struct light_input *input,
                        const struct receiver *receiver, const struct gpu_texture *rays, const double channels[3])
@@ -103,7 +90,6 @@ static void bind_cells(struct dpl_gl *gl, const struct gpu_program *program, con
     program_vec4s(gl, program, "offset", 1, offset);
     program_vec3(gl, program, "absorption", receiver->absorption);
     program_vec3(gl, program, "channels", channels);
-    bind_sun(gl, program, input, receiver->ior);
     program_float(gl, program, "receiver", receiver->height);
     program_float(gl, program, "cell", receiver->cell);
     program_float(gl, program, "texels_a_meter", receiver->side / input->setup->size);
@@ -138,7 +124,7 @@ static void compute_cells(struct coverage_gpu *gpu, struct dpl_gl *gl, const str
                           const struct receiver *receiver, const struct gpu_texture *rays, const double channels[3])
 {
     GLuint groups = (GLuint)(receiver->cells * receiver->split + 7) / 8;
-    bind_cells(gl, gpu->add_programs + !receiver->narrow, input, receiver, rays, channels);
+    bind_cells(gl, &gpu->add_program, input, receiver, rays, channels);
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, gpu->light);
     gl->DispatchCompute(groups, groups, 1);
 }
@@ -156,7 +142,7 @@ static void blend_cells(struct coverage_gpu *gpu, struct dpl_gl *gl, const struc
     gl->ClearColor(0, 0, 0, 0);
     if (first)
         gl->Clear(GL_COLOR_BUFFER_BIT);
-    bind_cells(gl, gpu->points_programs + !receiver->narrow, input, receiver, rays, channels);
+    bind_cells(gl, &gpu->points_program, input, receiver, rays, channels);
     if (!gl->info.es)
         gl->Enable(GL_PROGRAM_POINT_SIZE);
     gl->Enable(GL_BLEND);
@@ -194,12 +180,18 @@ static void resolve(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct re
     gl->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
+/* Which of the sharp maps is the disc's: the map's own side and below come first, then finer ones. */
+static int level_of(const struct coverage_disc *disc)
+{
+    return disc->fineness > 1 ? COVERAGE_LEVELS - disc->fineness + 1 : disc->level;
+}
+
 static void draw_disc(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct light_input *input,
                       const struct coverage_disc *disc)
 {
     const struct gpu_program *program = &gpu->disc_program;
     program_use(gl, program);
-    texture_bind(gl, gpu->sharp + disc->level, 0);
+    texture_bind(gl, gpu->sharp + level_of(disc), 0);
     program_int(gl, program, "sharp", 0);
     program_int(gl, program, "tap_count", disc->count);
     program_int(gl, program, "periodic", input->surface_gpu->periodic);
@@ -207,35 +199,35 @@ static void draw_disc(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct 
     gpu_draw_screen(gl);
 }
 
-/* The covariance of the sun's disc as flat water throws it on a receiver, in texels: xx, xz, zz. */
-static void find_covariance(const struct light_input *input, double ior, double height, double texels_a_meter,
-                            double covariance[3])
+/* The footprints of all receivers; returns the side of the largest sharp map. */
+static int make_discs(struct coverage_gpu *gpu, const struct dpl_gl *gl, const struct light_input *input,
+                      const struct coverage_samples *samples, int side)
 {
-    static const double rim[4][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
-    const struct optics_disc disc = optics_sun_disc(input->sun);
-    double uvq[4][3], axes[2][2];
-    for (int i = 0; i < 4; i++) {
-        double sun[3];
-        optics_disc_place(&disc, rim[i], sun);
-        sun[1] = fmax(sun[1], 1e-3); /* a sun that sets is seen whole */
-        flat_ray(sun, ior, is_upwards(input), uvq[i]);
+    double sun[3], scale = side / input->setup->size, error = fmax(input->settings->error / 100, ERROR_MIN);
+    int largest = side;
+    optics_sun_direction(input->sun, sun);
+    const struct coverage_flat flat = coverage_flat_water(sun, input->medium->ior, is_upwards(input));
+    for (int slice = 0; slice < input->slices; slice++) {
+        double covariance[3];
+        coverage_mean_footprint(input, samples, &flat, input->receivers[slice], covariance);
+        for (int c = 0; c < 3; c++)
+            covariance[c] *= scale * scale;
+        double radius = 2 * sqrt(fmax(covariance[0], covariance[2]));
+        int fineness =
+            coverage_choose_fineness(samples, &flat, input->receivers[slice], radius, error, COVERAGE_FINEST);
+        if (side * fineness > gl->info.texture_max)
+            fineness = 1;
+        coverage_disc_make(gpu->discs + slice, side, covariance, coverage_disc_fineness(radius, fineness));
+        largest = gpu->discs[slice].side > largest ? gpu->discs[slice].side : largest;
     }
-    for (int i = 0; i < 4; i++)
-        axes[i / 2][i % 2] = (uvq[i / 2 * 2][i % 2] - uvq[i / 2 * 2 + 1][i % 2]) / 2 * height * texels_a_meter;
-    covariance[0] = (axes[0][0] * axes[0][0] + axes[1][0] * axes[1][0]) / 4;
-    covariance[1] = (axes[0][0] * axes[0][1] + axes[1][0] * axes[1][1]) / 4;
-    covariance[2] = (axes[0][1] * axes[0][1] + axes[1][1] * axes[1][1]) / 4;
+    return largest;
 }
 
 static struct receiver find_receiver(const struct dpl_gl *gl, const struct light_input *input, int slice, double ior,
                                      const struct coverage_disc *disc)
 {
     const struct surface_gpu *surface = input->surface_gpu;
-    struct receiver receiver = {.height = input->receivers[slice],
-                                .side = disc->side,
-                                .level = disc->level,
-                                .narrow = disc->narrow,
-                                .ior = ior};
+    struct receiver receiver = {.height = input->receivers[slice], .side = disc->side, .level = level_of(disc)};
     double sun[3];
     optics_sun_direction(input->sun, sun);
     flat_ray(sun, ior, is_upwards(input), receiver.flat);
@@ -259,17 +251,10 @@ static bool build_programs(struct coverage_gpu *gpu, struct dpl_gl *gl)
     bool built = program_ready(gl, &gpu->rays_program, "light/coverage_rays.glsl", "") &&
                  program_ready(gl, &gpu->disc_program, "light/coverage_disc.glsl", "");
     if (gpu->computed)
-        built = built && program_ready(gl, &gpu->resolve_program, "light/coverage_resolve.glsl", "");
-    else
-        built = built && program_ready(gl, &gpu->fold_program, "light/coverage_fold.glsl", "");
-    for (int point = 0; point < 2; point++) {
-        const char *defines = point ? "#define POINT_SUN\n" : "";
-        if (gpu->computed)
-            built = built && program_compute_ready(gl, gpu->add_programs + point, "light/coverage_add.glsl", defines);
-        else
-            built = built && program_ready(gl, gpu->points_programs + point, "light/coverage_points.glsl", defines);
-    }
-    return built;
+        return built && program_compute_ready(gl, &gpu->add_program, "light/coverage_add.glsl", "") &&
+               program_ready(gl, &gpu->resolve_program, "light/coverage_resolve.glsl", "");
+    return built && program_ready(gl, &gpu->points_program, "light/coverage_points.glsl", "") &&
+           program_ready(gl, &gpu->fold_program, "light/coverage_fold.glsl", "");
 }
 
 /* The light of a point sun. `passes`: 1, or 3 with an index for each colour. */
@@ -294,14 +279,11 @@ static void draw_slice(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct
 {
     struct coverage_disc *disc = gpu->discs + slice;
     struct gpu_texture *sharp = gpu->sharp;
-    double covariance[3];
-    find_covariance(input, input->medium->ior, input->receivers[slice], map->width / input->setup->size, covariance);
-    coverage_disc_make(disc, map->width, covariance);
     struct receiver receiver = add_cells(gpu, gl, input, passes, ior, slice);
     if (disc->count == 0) {
         texture_draw_to_layer(gl, map, slice);
     } else {
-        sharp += disc->level;
+        sharp += level_of(disc);
         texture_resize(gl, sharp, disc->level ? GL_RGBA16F : GL_RGBA32F, receiver.side, receiver.side,
                        input->surface_gpu->periodic ? TEXTURE_REPEAT : TEXTURE_CLAMP,
                        disc->level ? TEXTURE_LINEAR : TEXTURE_NEAREST);
@@ -318,12 +300,12 @@ static void draw_slice(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct
 }
 
 bool coverage_gpu_draw(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct light_input *input,
-                       struct gpu_texture *map)
+                       const struct coverage_samples *samples, struct gpu_texture *map)
 {
     double iors[3];
-    int passes = input->medium->dispersion > 0 ? 3 : 1;
-    gpu->computed = is_computed(gl, map->width);
-    if (!build_programs(gpu, gl) || (gpu->computed && !resize_light(gpu, gl, map->width)))
+    int passes = input->medium->dispersion > 0 ? 3 : 1, largest = make_discs(gpu, gl, input, samples, map->width);
+    gpu->computed = is_computed(gl, largest);
+    if (!build_programs(gpu, gl) || (gpu->computed && !resize_light(gpu, gl, largest)))
         return false;
     water_refractive_indices(input->medium, iors);
     if (passes == 1)
@@ -338,10 +320,8 @@ bool coverage_gpu_draw(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct
 void coverage_gpu_finish(struct coverage_gpu *gpu, struct dpl_gl *gl)
 {
     program_finish(gl, &gpu->rays_program);
-    for (int point = 0; point < 2; point++) {
-        program_finish(gl, gpu->add_programs + point);
-        program_finish(gl, gpu->points_programs + point);
-    }
+    program_finish(gl, &gpu->add_program);
+    program_finish(gl, &gpu->points_program);
     program_finish(gl, &gpu->resolve_program);
     program_finish(gl, &gpu->fold_program);
     program_finish(gl, &gpu->disc_program);

@@ -8,38 +8,44 @@
 #include "gpu/program.h"
 #include "light/light.h"
 
-#define COVERAGE_LEVELS 14 /* sides of the sharp map: LIGHT_MAP_MAX, half of it, … 1 */
-#define COVERAGE_TAPS 192  /* texels that a footprint touches; as in coverage_disc.glsl */
+#define COVERAGE_FINEST 3 /* times the map's side, of a sharp map */
+#define COVERAGE_LEVELS                                                                                                \
+    (14 + COVERAGE_FINEST - 1) /* sides of the sharp map: LIGHT_MAP_MAX, half of it, … 1; finer ones */
+#define COVERAGE_TAPS 192      /* texels that a footprint touches; as in coverage_disc.glsl */
 
 /* The footprint of the sun's disc on one receiver: weights of the texels of the sharp map. */
 struct coverage_disc {
-    int map_side;                 /* texels of the map that it was made for; 0: not made */
-    double covariance[3];         /* likewise, in texels of the map: xx, xz, zz */
-    int level, side;              /* the sharp map's side: the map's, halved `level` times and rounded up */
-    bool narrow;                  /* each cell spreads its own light over the disc */
-    int count;                    /* of taps; 0: nothing is smeared */
+    int map_side;         /* texels of the map that it was made for; 0: not made */
+    double covariance[3]; /* likewise, in texels of the map: xx, xz, zz */
+    int fineness, level,
+        side;  /* the sharp map's side: the map's times the fineness, halved `level` times, rounded up */
+    int count; /* of taps; 0: nothing is smeared */
     float taps[COVERAGE_TAPS][4]; /* x, z, weight */
 };
 
 /* All zero: none yet. */
 struct coverage_gpu {
-    struct gpu_program rays_program, resolve_program, fold_program, disc_program;
-    struct gpu_program add_programs[2], points_programs[2]; /* 1: for a point sun */
-    struct gpu_texture rays[3];                             /* one, or one for each of red green blue */
-    bool computed;                                          /* by compute shaders; otherwise by blending */
-    GLuint light;                                           /* whole numbers: three for each texel */
-    int light_side;                                         /* texels a side that it holds */
+    struct gpu_program rays_program, resolve_program, fold_program, disc_program, add_program, points_program;
+    struct gpu_texture rays[3];                  /* one, or one for each of red green blue */
+    bool computed;                               /* by compute shaders; otherwise by blending */
+    GLuint light;                                /* whole numbers: three for each texel */
+    int light_side;                              /* texels a side that it holds */
     struct gpu_texture blended[COVERAGE_LEVELS]; /* in place of `light`, where there is no compute: with a margin */
     struct gpu_texture sharp[COVERAGE_LEVELS];   /* a point sun's light */
     struct coverage_disc discs[LIGHT_SLICES_MAX];
 };
 
+struct coverage_samples;
+
 bool coverage_gpu_draw(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct light_input *input,
-                       struct gpu_texture *map);
+                       const struct coverage_samples *samples, struct gpu_texture *map);
 
 void coverage_gpu_finish(struct coverage_gpu *gpu, struct dpl_gl *gl);
 
 /* Brings the footprint up to date. */
-void coverage_disc_make(struct coverage_disc *disc, int side, const double covariance[3]);
+void coverage_disc_make(struct coverage_disc *disc, int side, const double covariance[3], int fineness);
+
+/* The fineness that a footprint of that radius, in texels of the map, has room for, at most `wanted`. */
+int coverage_disc_fineness(double radius, int wanted);
 
 #endif

@@ -8,8 +8,9 @@
 #include <math.h>
 #include <string.h>
 
-#define SAMPLES 48 /* vertices a side that the surface's slopes are known from */
-#define WIDTHS 2.2 /* standard deviations of the slopes that the grid of kinds reaches over, to either side */
+#define RADIUS_MAX 24.0  /* texels of a footprint: a wider one is computed with fewer */
+#define RADIUS_END 512.0 /* likewise, where there is only one texel left */
+#define WIDTHS 2.2       /* standard deviations of the slopes that the grid of kinds reaches over, to either side */
 
 /* Covariance xx, xz, zz of the disc's footprint in square metres on a receiver `way` metres from the surface. */
 static bool footprint_at(const struct light_input *input, const struct coverage_flat *flat, const double slopes[2],
@@ -35,52 +36,67 @@ static bool footprint_at(const struct light_input *input, const struct coverage_
     return true;
 }
 
-/* The i-th of SAMPLES² vertices: its slopes and how far its light goes down, or up. */
-static double sample(const struct light_input *input, double receiver, int i, double slopes[2])
+/* How far light goes down from a sample, or up. */
+static double way_from(const struct coverage_samples *samples, int i, double receiver)
 {
-    const struct surface *surface = input->surface;
-    size_t column = (size_t)(i % SAMPLES) * (size_t)surface->columns / SAMPLES;
-    size_t row = (size_t)(i / SAMPLES) * (size_t)surface->rows / SAMPLES;
-    const float *texel = surface->texels + (row * (size_t)surface->columns + column) * 3;
-    slopes[0] = (double)texel[1];
-    slopes[1] = (double)texel[2];
-    return receiver > 0 ? fmax(receiver - (double)texel[0], 0) : fmin(receiver - (double)texel[0], 0);
+    double way = receiver - samples->height[i];
+    return receiver > 0 ? fmax(way, 0) : fmin(way, 0);
 }
 
-/* What is known of the surface: its slopes along the sun's azimuth and across it, and how curved it is. */
+/* The water at points spread evenly over the tile by the additive sequence of Roberts 2018, moved by `step` along x and
+ * z; `arrays` are x, z, height, slopes, shifts and area. */
+static void sample_water(const struct light_input *input, double step_x, double step_z,
+                         double (*arrays)[COVERAGE_SAMPLES])
+{
+    double size = input->setup->size;
+    for (int i = 0; i < COVERAGE_SAMPLES; i++) {
+        double x = 0.75487766624669276 * i, z = 0.56984029099805327 * i;
+        arrays[0][i] = (x - floor(x) - 0.5) * size * 0.99 + step_x;
+        arrays[1][i] = (z - floor(z) - 0.5) * size * 0.99 + step_z;
+    }
+    struct water_points points = {COVERAGE_SAMPLES, arrays[0], arrays[1], arrays[2], arrays[3],
+                                  arrays[4],        arrays[5], arrays[6], arrays[7]};
+    water_sample(input->model, input->setup, input->time, &points);
+}
+
+void coverage_samples_take(struct coverage_samples *samples, const struct light_input *input)
+{
+    double(*arrays)[COVERAGE_SAMPLES] = samples->arrays, step = input->setup->size / 256, squares = 0;
+    double bends[COVERAGE_SAMPLES];
+    sample_water(input, step, 0, arrays);
+    for (int i = 0; i < COVERAGE_SAMPLES; i++)
+        bends[i] = arrays[3][i];
+    sample_water(input, 0, step, arrays);
+    for (int i = 0; i < COVERAGE_SAMPLES; i++)
+        bends[i] += arrays[4][i];
+    sample_water(input, 0, 0, arrays);
+    for (int i = 0; i < COVERAGE_SAMPLES; i++)
+        squares += pow((bends[i] - arrays[3][i] - arrays[4][i]) / step, 2) / COVERAGE_SAMPLES;
+    samples->height = arrays[2];
+    samples->slopes[0] = arrays[3];
+    samples->slopes[1] = arrays[4];
+    samples->curvature = sqrt(2 * squares);
+}
+
+/* What is known of the slopes along the sun's azimuth and across it. */
 struct slopes {
     double axis[2][2];
     double mean[2], deviation[2];
-    double curvature; /* 1/m: of the crests of a wave alone; the root of the sum of squares of many */
 };
 
-/* Sum of the second derivatives at the i-th of the vertices, by differences. */
-static double bend(const struct surface *surface, int i)
+static struct slopes measure_slopes(const struct light_input *input, const struct coverage_samples *samples)
 {
-    int column = i % SAMPLES * (surface->columns - 1) / SAMPLES, row = i / SAMPLES * (surface->rows - 1) / SAMPLES;
-    const float *here = surface->texels + ((size_t)row * (size_t)surface->columns + (size_t)column) * 3;
-    const float *right = here + 3, *below = here + 3 * (size_t)surface->columns;
-    return (double)(right[1] - here[1] + below[2] - here[2]) / surface_spacing(surface);
-}
-
-static struct slopes measure_slopes(const struct light_input *input, double receiver)
-{
-    double azimuth = input->sun->azimuth * M_PI / 180, sum[2] = {0}, squares[2] = {0}, bends = 0, at[2];
+    double azimuth = input->sun->azimuth * M_PI / 180, squares[2] = {0};
     struct slopes slopes = {.axis = {{cos(azimuth), sin(azimuth)}, {-sin(azimuth), cos(azimuth)}}};
-    for (int i = 0; i < SAMPLES * SAMPLES; i++) {
-        sample(input, receiver, i, at);
-        bends += pow(bend(input->surface, i), 2) / (SAMPLES * SAMPLES);
+    for (int i = 0; i < COVERAGE_SAMPLES; i++) {
         for (int a = 0; a < 2; a++) {
-            double slope = slopes.axis[a][0] * at[0] + slopes.axis[a][1] * at[1];
-            sum[a] += slope / (SAMPLES * SAMPLES);
-            squares[a] += slope * slope / (SAMPLES * SAMPLES);
+            double slope = slopes.axis[a][0] * samples->slopes[0][i] + slopes.axis[a][1] * samples->slopes[1][i];
+            slopes.mean[a] += slope / COVERAGE_SAMPLES;
+            squares[a] += slope * slope / COVERAGE_SAMPLES;
         }
     }
-    for (int a = 0; a < 2; a++) {
-        slopes.mean[a] = sum[a];
-        slopes.deviation[a] = sqrt(fmax(squares[a] - sum[a] * sum[a], 0));
-    }
-    slopes.curvature = sqrt(2 * bends);
+    for (int a = 0; a < 2; a++)
+        slopes.deviation[a] = sqrt(fmax(squares[a] - slopes.mean[a] * slopes.mean[a], 0));
     return slopes;
 }
 
@@ -115,16 +131,32 @@ static int count_kinds(double change, double error)
     return count;
 }
 
-/* Texels computed along each side of one of the map. What smearing whole texels adds was measured: most where the disc's
- * radius is a texel, less the finer they are, and little where crests do not focus yet. */
-static int choose_fineness(const struct coverage_flat *flat, const struct slopes *slopes, double receiver,
-                           double radius, double error)
+int coverage_choose_fineness(const struct coverage_samples *samples, const struct coverage_flat *flat, double receiver,
+                             double radius, double error, int most)
 {
-    double power = flat->upwards ? 2 : 1 - 1 / flat->ior;                  /* of a curved surface as a lens or mirror */
-    double focusing = fmin(fabs(receiver) * power * slopes->curvature, 1); /* 1: in focus */
-    double coarse = 0.075 * fmin(pow(radius, -1.75), pow(radius, 0.6)) * pow(focusing, 3.5);
+    double power = flat->upwards ? 2 : 1 - 1 / flat->ior; /* of a curved surface as a lens or mirror */
+    double focusing = fmin(fabs(receiver) * power * samples->curvature, 1); /* 1: in focus */
+    double coarse = 0.075 * fmin(pow(radius, -1.75), pow(radius, 0.3)) * pow(focusing, 3.5);
     double order = radius < 0.7 ? 1.5 : 2.3;
-    return (int)fmin(fmax(ceil(pow(coarse / error, 1 / order)), 1), COVERAGE_FINENESS_MAX);
+    return (int)fmin(fmax(ceil(pow(coarse / error, 1 / order)), 1), most);
+}
+
+bool coverage_mean_footprint(const struct light_input *input, const struct coverage_samples *samples,
+                             const struct coverage_flat *flat, double receiver, double covariance[3])
+{
+    int count = 0;
+    memset(covariance, 0, 3 * sizeof *covariance);
+    for (int i = 0; i < COVERAGE_SAMPLES; i += 8) {
+        double one[3], at[2] = {samples->slopes[0][i], samples->slopes[1][i]};
+        if (!footprint_at(input, flat, at, way_from(samples, i, receiver), one))
+            continue;
+        count++;
+        for (int c = 0; c < 3; c++)
+            covariance[c] += one[c];
+    }
+    for (int c = 0; c < 3; c++)
+        covariance[c] /= count > 0 ? count : 1;
+    return count > 0;
 }
 
 static void set_kinds(struct coverage_plan *plan, const struct slopes *slopes)
@@ -145,15 +177,24 @@ static double place_among(const struct coverage_kinds *kinds, int axis, const do
     return fmin(fmax(place, 0), kinds->count[axis] - 1);
 }
 
+/* A footprint of thousands of tiles gives what one of hundreds gives. */
+static void limit(double covariance[3])
+{
+    double most = pow(RADIUS_END / 2, 2), scale = fmin(most / fmax(fmax(covariance[0], covariance[2]), most), 1);
+    for (int c = 0; c < 3; c++)
+        covariance[c] *= scale;
+}
+
 /* Gives each kind the mean footprint of the light that belongs to it. Kinds without light are left out. */
 static bool make_footprints(struct coverage_plan *plan, const struct light_input *input,
-                            const struct coverage_flat *flat, double receiver, double scale)
+                            const struct coverage_samples *samples, const struct coverage_flat *flat, double receiver,
+                            double scale)
 {
-    double sums[COVERAGE_KINDS_MAX * COVERAGE_KINDS_MAX][4] = {{0}}, at[2], covariance[3], total = 0;
+    double sums[COVERAGE_KINDS_MAX * COVERAGE_KINDS_MAX][4] = {{0}}, covariance[3], total = 0;
     const struct coverage_kinds *kinds = &plan->kinds;
-    for (int i = 0; i < SAMPLES * SAMPLES; i++) {
-        double way = sample(input, receiver, i, at);
-        if (!footprint_at(input, flat, at, way, covariance))
+    for (int i = 0; i < COVERAGE_SAMPLES; i++) {
+        double at[2] = {samples->slopes[0][i], samples->slopes[1][i]};
+        if (!footprint_at(input, flat, at, way_from(samples, i, receiver), covariance))
             continue;
         for (int k = 0; k < kinds->count[0] * kinds->count[1]; k++) {
             double first = 1 - fabs(place_among(kinds, 0, at) - k % kinds->count[0]);
@@ -174,6 +215,7 @@ static bool make_footprints(struct coverage_plan *plan, const struct light_input
         footprint->level = sums[k][3] / fmax(total, 1e-9);
         for (int c = 0; c < 3; c++)
             covariance[c] = sums[k][c] * texels;
+        limit(covariance);
         if (!coverage_footprint_make(footprint, covariance, plan->fineness, input->log))
             return false;
         plan->reach = footprint->reach > plan->reach ? footprint->reach : plan->reach;
@@ -181,8 +223,9 @@ static bool make_footprints(struct coverage_plan *plan, const struct light_input
     return true;
 }
 
-static void plan_point_sun(struct coverage_plan *plan, int fineness)
+static void plan_point_sun(struct coverage_plan *plan, int side, int fineness)
 {
+    plan->side = side;
     plan->fineness = fineness;
     plan->kinds = (struct coverage_kinds){.count = {1, 1}};
     plan->count = 1;
@@ -191,25 +234,31 @@ static void plan_point_sun(struct coverage_plan *plan, int fineness)
     plan->footprints[0].level = 0;
 }
 
-bool coverage_plan_make(struct coverage_plan *plan, const struct light_input *input, const struct coverage_flat *flat,
-                        double receiver, int side)
+bool coverage_plan_make(struct coverage_plan *plan, const struct light_input *input,
+                        const struct coverage_samples *samples, const struct coverage_flat *flat, double receiver,
+                        int side)
 {
     const struct coverage *params = input->params;
-    const double smallest = 0.02; /* texels: a footprint below it is a point */
-    double covariance[3] = {0}, scale = side / input->surface->size, error = input->settings->error / 100;
-    footprint_at(input, flat, (const double[2]){0, 0}, receiver, covariance);
+    double covariance[3], scale = side / input->setup->size, error = input->settings->error / 100;
+    bool arrives = coverage_mean_footprint(input, samples, flat, receiver, covariance);
     double radius = 2 * sqrt(fmax(covariance[0], covariance[2])) * scale;
-    if (radius < smallest) {
-        plan_point_sun(plan, params->fineness ? params->fineness : 1);
+    if (!arrives || radius < COVERAGE_RADIUS_MIN) {
+        plan_point_sun(plan, side, params->fineness ? params->fineness : 1);
         return true;
     }
-    struct slopes slopes = measure_slopes(input, receiver);
-    plan->fineness = params->fineness ? params->fineness : choose_fineness(flat, &slopes, receiver, radius, error);
+    plan->side = side;
+    while (radius * plan->side / side > RADIUS_MAX && plan->side > 1)
+        plan->side = (plan->side + 1) / 2;
+    radius *= (double)plan->side / side;
+    struct slopes slopes = measure_slopes(input, samples);
+    plan->fineness = params->fineness
+                         ? params->fineness
+                         : coverage_choose_fineness(samples, flat, receiver, radius, error, COVERAGE_FINENESS_MAX);
     for (int a = 0; a < 2; a++)
         plan->kinds.count[a] =
             params->footprints ? params->footprints : count_kinds(variation(input, flat, &slopes, a), error);
     set_kinds(plan, &slopes);
-    return make_footprints(plan, input, flat, receiver, scale * plan->fineness);
+    return make_footprints(plan, input, samples, flat, receiver, plan->side / input->setup->size * plan->fineness);
 }
 
 void coverage_plan_finish(struct coverage_plan *plan)

@@ -9,7 +9,6 @@ uniform int margin;   /* texels that the target has beyond the map on every side
 uniform int cells;    /* a side of the surface */
 uniform int periodic;
 flat out vec4 upper_ab, lower_ab, both_c, upper_first, lower_first;
-flat out vec3 spread;
 
 void main()
 {
@@ -24,7 +23,6 @@ void main()
     both_c = vec4(i.upper.c, i.lower.c);
     upper_first = vec4(i.upper.density, first.x);
     lower_first = vec4(i.lower.density, first.y);
-    spread = i.spread;
     gl_PointSize = size;
     gl_Position = vec4((middle + float(margin)) / float(side + 2 * margin) * 2.0 - 1.0, 0.0, 1.0);
 }
@@ -32,7 +30,6 @@ void main()
 
 #ifdef FRAGMENT
 flat in vec4 upper_ab, lower_ab, both_c, upper_first, lower_first;
-flat in vec3 spread;
 out vec4 color;
 
 void main()
@@ -40,6 +37,6 @@ void main()
     vec2 place = gl_FragCoord.xy - 0.5 - vec2(upper_first.w, lower_first.w);
     triangle upper = triangle(upper_ab.xy, upper_ab.zw, both_c.xy, upper_first.rgb);
     triangle lower = triangle(lower_ab.xy, lower_ab.zw, both_c.zw, lower_first.rgb);
-    color = vec4(light_on(upper, place, spread) + light_on(lower, place, spread), 0.0);
+    color = vec4(light_on(upper, place) + light_on(lower, place), 0.0);
 }
 #endif
