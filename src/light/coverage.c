@@ -24,7 +24,7 @@ static const struct dpl_param params[] = {
 struct state {
     struct coverage_rays rays;
     struct coverage_cells cells;
-    struct coverage_samples samples;
+    struct light_samples samples;
     struct coverage_plan plan;
     struct coverage_bands bands;
     struct light_map small;
@@ -64,7 +64,7 @@ static bool trace(void *state_, const struct light_input *input, struct light_ma
 {
     struct state *state = state_;
     double ior[3];
-    coverage_samples_take(&state->samples, input);
+    light_samples_take(&state->samples, input->model, input->setup, input->time);
     water_refractive_indices(input->medium, ior);
     if (ior[0] == ior[2])
         return trace_color(state, input, ior[1], -1, map);
@@ -77,7 +77,7 @@ static bool trace(void *state_, const struct light_input *input, struct light_ma
 static bool draw(void *state_, struct dpl_gl *gl, const struct light_input *input, struct gpu_texture *map)
 {
     struct state *state = state_;
-    coverage_samples_take(&state->samples, input);
+    light_samples_take(&state->samples, input->model, input->setup, input->time);
     return coverage_gpu_draw(&state->gpu, gl, input, &state->samples, map);
 }
 

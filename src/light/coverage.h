@@ -122,17 +122,8 @@ bool coverage_footprint_make(struct coverage_footprint *footprint, const double 
                              const struct dpl_log *log);
 void coverage_footprint_finish(struct coverage_footprint *footprint);
 
-/* The water at points spread over the tile: what fineness and footprints are chosen by. */
-#define COVERAGE_SAMPLES 1024
-struct coverage_samples {
-    double arrays[8][COVERAGE_SAMPLES];
-    const double *height, *slopes[2]; /* in `arrays` */
-    double curvature;                 /* 1/m: of the crests of a wave alone; the root of the sum of squares of many */
-};
-void coverage_samples_take(struct coverage_samples *samples, const struct light_input *input);
-
 /* The mean footprint's covariance in square metres; false where no light arrives. */
-bool coverage_mean_footprint(const struct light_input *input, const struct coverage_samples *samples,
+bool coverage_mean_footprint(const struct light_input *input, const struct light_samples *samples,
                              const struct coverage_flat *flat, double receiver, double covariance[3]);
 
 /* A footprint of a smaller radius, in texels of the map, is a point. */
@@ -141,7 +132,7 @@ bool coverage_mean_footprint(const struct light_input *input, const struct cover
 /* Texels to compute along each side of one of the map, 1 to `most`, for an error of at most `error`. What smearing
  * whole texels adds was measured: most where the disc's radius is a texel, less the finer they are, and little where
  * crests do not focus yet. */
-int coverage_choose_fineness(const struct coverage_samples *samples, const struct coverage_flat *flat, double receiver,
+int coverage_choose_fineness(const struct light_samples *samples, const struct coverage_flat *flat, double receiver,
                              double radius, double error, int most);
 
 /* How finely a receiver is computed, and the footprints of its kinds. All zero: none yet. */
@@ -154,7 +145,7 @@ struct coverage_plan {
     int reach; /* the widest's */
 };
 bool coverage_plan_make(struct coverage_plan *plan, const struct light_input *input,
-                        const struct coverage_samples *samples, const struct coverage_flat *flat, double receiver,
+                        const struct light_samples *samples, const struct coverage_flat *flat, double receiver,
                         int side);
 void coverage_plan_finish(struct coverage_plan *plan);
 

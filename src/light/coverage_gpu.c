@@ -201,7 +201,7 @@ static void draw_disc(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct 
 
 /* The footprints of all receivers; returns the side of the largest sharp map. */
 static int make_discs(struct coverage_gpu *gpu, const struct dpl_gl *gl, const struct light_input *input,
-                      const struct coverage_samples *samples, int side)
+                      const struct light_samples *samples, int side)
 {
     double sun[3], scale = side / input->setup->size, error = fmax(input->settings->error / 100, ERROR_MIN);
     int largest = side;
@@ -300,7 +300,7 @@ static void draw_slice(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct
 }
 
 bool coverage_gpu_draw(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct light_input *input,
-                       const struct coverage_samples *samples, struct gpu_texture *map)
+                       const struct light_samples *samples, struct gpu_texture *map)
 {
     double iors[3];
     int passes = input->medium->dispersion > 0 ? 3 : 1, largest = make_discs(gpu, gl, input, samples, map->width);

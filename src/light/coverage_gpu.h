@@ -6,6 +6,7 @@
 #define LIGHT_COVERAGE_GPU_H
 
 #include "gpu/program.h"
+#include "light/detail.h"
 #include "light/light.h"
 
 #define COVERAGE_FINEST 3 /* times the map's side, of a sharp map */
@@ -35,10 +36,8 @@ struct coverage_gpu {
     struct coverage_disc discs[LIGHT_SLICES_MAX];
 };
 
-struct coverage_samples;
-
 bool coverage_gpu_draw(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct light_input *input,
-                       const struct coverage_samples *samples, struct gpu_texture *map);
+                       const struct light_samples *samples, struct gpu_texture *map);
 
 void coverage_gpu_finish(struct coverage_gpu *gpu, struct dpl_gl *gl);
 

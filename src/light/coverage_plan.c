@@ -37,45 +37,10 @@ static bool footprint_at(const struct light_input *input, const struct coverage_
 }
 
 /* How far light goes down from a sample, or up. */
-static double way_from(const struct coverage_samples *samples, int i, double receiver)
+static double way_from(const struct light_samples *samples, int i, double receiver)
 {
     double way = receiver - samples->height[i];
     return receiver > 0 ? fmax(way, 0) : fmin(way, 0);
-}
-
-/* The water at points spread evenly over the tile by the additive sequence of Roberts 2018, moved by `step` along x and
- * z; `arrays` are x, z, height, slopes, shifts and area. */
-static void sample_water(const struct light_input *input, double step_x, double step_z,
-                         double (*arrays)[COVERAGE_SAMPLES])
-{
-    double size = input->setup->size;
-    for (int i = 0; i < COVERAGE_SAMPLES; i++) {
-        double x = 0.75487766624669276 * i, z = 0.56984029099805327 * i;
-        arrays[0][i] = (x - floor(x) - 0.5) * size * 0.99 + step_x;
-        arrays[1][i] = (z - floor(z) - 0.5) * size * 0.99 + step_z;
-    }
-    struct water_points points = {COVERAGE_SAMPLES, arrays[0], arrays[1], arrays[2], arrays[3],
-                                  arrays[4],        arrays[5], arrays[6], arrays[7]};
-    water_sample(input->model, input->setup, input->time, &points);
-}
-
-void coverage_samples_take(struct coverage_samples *samples, const struct light_input *input)
-{
-    double(*arrays)[COVERAGE_SAMPLES] = samples->arrays, step = input->setup->size / 256, squares = 0;
-    double bends[COVERAGE_SAMPLES];
-    sample_water(input, step, 0, arrays);
-    for (int i = 0; i < COVERAGE_SAMPLES; i++)
-        bends[i] = arrays[3][i];
-    sample_water(input, 0, step, arrays);
-    for (int i = 0; i < COVERAGE_SAMPLES; i++)
-        bends[i] += arrays[4][i];
-    sample_water(input, 0, 0, arrays);
-    for (int i = 0; i < COVERAGE_SAMPLES; i++)
-        squares += pow((bends[i] - arrays[3][i] - arrays[4][i]) / step, 2) / COVERAGE_SAMPLES;
-    samples->height = arrays[2];
-    samples->slopes[0] = arrays[3];
-    samples->slopes[1] = arrays[4];
-    samples->curvature = sqrt(2 * squares);
 }
 
 /* What is known of the slopes along the sun's azimuth and across it. */
@@ -84,15 +49,15 @@ struct slopes {
     double mean[2], deviation[2];
 };
 
-static struct slopes measure_slopes(const struct light_input *input, const struct coverage_samples *samples)
+static struct slopes measure_slopes(const struct light_input *input, const struct light_samples *samples)
 {
     double azimuth = input->sun->azimuth * M_PI / 180, squares[2] = {0};
     struct slopes slopes = {.axis = {{cos(azimuth), sin(azimuth)}, {-sin(azimuth), cos(azimuth)}}};
-    for (int i = 0; i < COVERAGE_SAMPLES; i++) {
+    for (int i = 0; i < LIGHT_SAMPLES; i++) {
         for (int a = 0; a < 2; a++) {
             double slope = slopes.axis[a][0] * samples->slopes[0][i] + slopes.axis[a][1] * samples->slopes[1][i];
-            slopes.mean[a] += slope / COVERAGE_SAMPLES;
-            squares[a] += slope * slope / COVERAGE_SAMPLES;
+            slopes.mean[a] += slope / LIGHT_SAMPLES;
+            squares[a] += slope * slope / LIGHT_SAMPLES;
         }
     }
     for (int a = 0; a < 2; a++)
@@ -120,33 +85,32 @@ static double variation(const struct light_input *input, const struct coverage_f
     return sqrt(change / size);
 }
 
-/* Kinds along an axis for an error of at most `error`: that of one footprint for all is about a sixth of its variation,
- * and falls with the square of the distance between kinds. */
+/* Kinds along an axis for an error of at most `error`: that of one footprint for all is about a quarter of its
+ * variation, and falls with the square of the distance between kinds. */
 static int count_kinds(double change, double error)
 {
-    double single = change / 6;
+    double single = change / 4;
     int count = single <= error ? 1 : 3;
     while (count > 1 && count < COVERAGE_KINDS_MAX && 1.8 * single / ((count - 1) * (count - 1)) > error)
         count += 2;
     return count;
 }
 
-int coverage_choose_fineness(const struct coverage_samples *samples, const struct coverage_flat *flat, double receiver,
+int coverage_choose_fineness(const struct light_samples *samples, const struct coverage_flat *flat, double receiver,
                              double radius, double error, int most)
 {
-    double power = flat->upwards ? 2 : 1 - 1 / flat->ior; /* of a curved surface as a lens or mirror */
-    double focusing = fmin(fabs(receiver) * power * samples->curvature, 1); /* 1: in focus */
+    double focusing = fmin(fabs(receiver) * light_power(receiver, flat->ior) * samples->curvature, 1); /* 1: in focus */
     double coarse = 0.075 * fmin(pow(radius, -1.75), pow(radius, 0.3)) * pow(focusing, 3.5);
     double order = radius < 0.7 ? 1.5 : 2.3;
     return (int)fmin(fmax(ceil(pow(coarse / error, 1 / order)), 1), most);
 }
 
-bool coverage_mean_footprint(const struct light_input *input, const struct coverage_samples *samples,
+bool coverage_mean_footprint(const struct light_input *input, const struct light_samples *samples,
                              const struct coverage_flat *flat, double receiver, double covariance[3])
 {
     int count = 0;
     memset(covariance, 0, 3 * sizeof *covariance);
-    for (int i = 0; i < COVERAGE_SAMPLES; i += 8) {
+    for (int i = 0; i < LIGHT_SAMPLES; i += 8) {
         double one[3], at[2] = {samples->slopes[0][i], samples->slopes[1][i]};
         if (!footprint_at(input, flat, at, way_from(samples, i, receiver), one))
             continue;
@@ -187,12 +151,12 @@ static void limit(double covariance[3])
 
 /* Gives each kind the mean footprint of the light that belongs to it. Kinds without light are left out. */
 static bool make_footprints(struct coverage_plan *plan, const struct light_input *input,
-                            const struct coverage_samples *samples, const struct coverage_flat *flat, double receiver,
+                            const struct light_samples *samples, const struct coverage_flat *flat, double receiver,
                             double scale)
 {
     double sums[COVERAGE_KINDS_MAX * COVERAGE_KINDS_MAX][4] = {{0}}, covariance[3], total = 0;
     const struct coverage_kinds *kinds = &plan->kinds;
-    for (int i = 0; i < COVERAGE_SAMPLES; i++) {
+    for (int i = 0; i < LIGHT_SAMPLES; i++) {
         double at[2] = {samples->slopes[0][i], samples->slopes[1][i]};
         if (!footprint_at(input, flat, at, way_from(samples, i, receiver), covariance))
             continue;
@@ -235,7 +199,7 @@ static void plan_point_sun(struct coverage_plan *plan, int side, int fineness)
 }
 
 bool coverage_plan_make(struct coverage_plan *plan, const struct light_input *input,
-                        const struct coverage_samples *samples, const struct coverage_flat *flat, double receiver,
+                        const struct light_samples *samples, const struct coverage_flat *flat, double receiver,
                         int side)
 {
     const struct coverage *params = input->params;

@@ -17,10 +17,11 @@ const char *light_technique_name(int i)
 const struct dpl_param light_settings_params[] = {
     PARAM_CHOICE(struct light_settings, technique, 0, light_technique_name, "technique; see `dapple list techniques`"),
     PARAM_INT(struct light_settings, map, 512, 1, LIGHT_MAP_MAX, "texels", "side of the caustic map"),
-    PARAM_INT(struct light_settings, mesh, 512, 2, LIGHT_MESH_MAX, "vertices",
-              "side of the surface's grid, for water models without one of their own"),
+    PARAM_INT(struct light_settings, mesh, 0, 0, LIGHT_MESH_MAX, "vertices",
+              "side of the surface's grid, for water models without one of their own; 0 = as caustics.error needs"),
     PARAM_FLOAT(struct light_settings, error, 1, 0.05, 20, "%",
-                "wanted error of a physical map, RMS, where detail is left to be chosen (0 elsewhere)"),
+                "wanted error of a physical map (RMS), where its detail is left open: mesh, coverage's fineness and "
+                "footprints"),
     PARAM_INT(struct light_settings, slices, 1, 1, LIGHT_SLICES_MAX, "",
               "maps at even steps from the floor (slice 0) up towards the surface"),
     PARAM_FLOAT(

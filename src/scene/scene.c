@@ -1,6 +1,7 @@
 #include "scene/scene.h"
 
 #include "base/log.h"
+#include "light/detail.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -145,7 +146,8 @@ struct water_setup scene_water_setup(const struct dpl_scene *scene, struct wave 
     for (int w = 0; w < WATER_WAVES_MAX; w++)
         if (scene->wave_present[w])
             waves[count++] = scene->waves[w];
-    return (struct water_setup){
+    double receivers[LIGHT_SLICES_MAX];
+    struct water_setup setup = {
         .size = scene->settings.size,
         .depth = scene->settings.depth,
         .loop = scene->settings.loop,
@@ -154,6 +156,11 @@ struct water_setup scene_water_setup(const struct dpl_scene *scene, struct wave 
         .wave_count = count,
         .params = scene->model_params[scene->medium.model],
     };
+    scene_receivers(scene, receivers);
+    if (setup.mesh == 0)
+        setup.mesh = light_choose_mesh(water_models[scene->medium.model], &setup, receivers[0], scene->medium.ior,
+                                       scene->caustics.map, scene->caustics.error / 100);
+    return setup;
 }
 
 int scene_receivers(const struct dpl_scene *scene, double heights[LIGHT_SLICES_MAX])
