@@ -9,7 +9,7 @@ out vec4 color;
 
 void main()
 {
-    vec3 shown = light_at(target);
+    vec3 shown = 1.0 - exp(-light_at(target)); /* light has no upper end */
     if (subject == 0)
         shown = surface_normal((target - 0.5) * surface_size).xzy * 0.5 + 0.5;
     color = vec4(clamp(shown, 0.0, 1.0), 1.0);
