@@ -103,6 +103,14 @@ size_t coverage_fill_room(int side, int margin, int count);
 void coverage_fill(const struct coverage_cells *cells, int side, int margin, const int kind[2], int first, int count,
                    void *room, float *out);
 
+/* The share of a uniform ellipse of that covariance, xx, xz, zz in square texels, in each of the (2 reach + 1)² texels
+ * around its middle. */
+void coverage_ellipse(const double covariance[3], int reach, double *cells);
+
+/* The weight of fine texel (x, z), counted from the first of a texel of the map, for that texel: the mean of the
+ * ellipses around its own fine texels. */
+double coverage_ellipse_weight(const double *cells, int reach, int fineness, int x, int z);
+
 /* A footprint of the sun's disc: for a texel of the map, the sum over taps of value × the running sum of the light from
  * the left end of row z of the fine map up to column x. Rows and columns are counted from the texel's first. */
 struct coverage_tap {

@@ -5,14 +5,14 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
-/* Adds the share of a uniform ellipse in each fine texel, chord by chord: `cells` is (2 reach + 1)² around the middle.
- */
-static void rasterise(const double covariance[3], int reach, double *cells)
+void coverage_ellipse(const double covariance[3], int reach, double *cells)
 {
     double high = 2 * sqrt(covariance[2]), lean = covariance[1] / fmax(covariance[2], 1e-300);
     double wide = 2 * sqrt(fmax(covariance[0] - lean * covariance[1], 0)), total = 0;
-    int side = 2 * reach + 1, chords = 64 + 32 * (int)high;
+    int side = 2 * reach + 1, chords = 256 + 32 * (int)high;
+    memset(cells, 0, (size_t)side * (size_t)side * sizeof *cells);
     for (int k = 0; k < chords; k++) {
         double part = 2 * (k + 0.5) / chords - 1, weight = sqrt(1 - part * part);
         double half = fmax(wide * weight, 1e-9), middle = lean * part * high + 0.5 + reach;
@@ -25,8 +25,7 @@ static void rasterise(const double covariance[3], int reach, double *cells)
         cells[i] /= total;
 }
 
-/* The weight of fine texel (x, z) for a texel of the map: the mean over its own fine texels. */
-static double weight_at(const double *cells, int reach, int fineness, int x, int z)
+double coverage_ellipse_weight(const double *cells, int reach, int fineness, int x, int z)
 {
     double sum = 0;
     for (int j = 0; j < fineness; j++)
@@ -57,13 +56,13 @@ bool coverage_footprint_make(struct coverage_footprint *footprint, const double 
         free(cells);
         return false;
     }
-    rasterise(covariance, reach, cells);
+    coverage_ellipse(covariance, reach, cells);
     footprint->reach = reach;
     footprint->count = 0;
     for (int z = -reach; z < fineness + reach; z++) {
         double before = 0; /* the weight of the column to the left */
         for (int x = -reach; x <= fineness + reach; x++) {
-            double here = weight_at(cells, reach, fineness, x, z);
+            double here = coverage_ellipse_weight(cells, reach, fineness, x, z);
             if (fabs(before - here) > changes_nothing)
                 footprint->taps[footprint->count++] = (struct coverage_tap){x - 1, z, (float)(before - here)};
             before = here;

@@ -5,7 +5,6 @@
 #include "light/coverage.h"
 
 #include "base/log.h"
-#include "optics/refraction.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -38,19 +37,11 @@ static bool is_upwards(const struct light_input *input)
     return input->receivers[0] > 0;
 }
 
-/* Where flat water sends light from a place of the sun: for each metre of height its way along x and z, and its length.
- */
-static void flat_ray(const double sun[3], double ior, bool upwards, double uvq[3])
+static struct coverage_flat find_flat(const struct light_input *input, double ior)
 {
-    static const double up[3] = {0, 1, 0};
-    double direction[3];
-    if (upwards)
-        optics_reflect(sun, up, direction);
-    else
-        optics_refract(sun, up, ior, direction);
-    uvq[0] = direction[0] / direction[1];
-    uvq[1] = direction[2] / direction[1];
-    uvq[2] = 1 / direction[1];
+    double sun[3];
+    optics_sun_direction(input->sun, sun);
+    return coverage_flat_water(sun, ior, is_upwards(input));
 }
 
 static void draw_rays(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct light_input *input, double ior,
@@ -58,19 +49,16 @@ static void draw_rays(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct 
 {
     const struct gpu_texture *surface = &input->surface_gpu->texels;
     const struct gpu_program *program = &gpu->rays_program;
-    bool upwards = is_upwards(input);
-    double sun[3], uvq[3];
-    optics_sun_direction(input->sun, sun);
-    flat_ray(sun, ior, upwards, uvq);
-    double reflectance = optics_fresnel_reflectance(sun[1], ior), share = upwards ? reflectance : 1 - reflectance;
-    const float flat[4] = {(float)uvq[0], (float)uvq[1], share > 0 ? (float)(1 / (sun[1] * share)) : 0.0f, 0};
+    const struct coverage_flat water = find_flat(input, ior);
+    const float per_flux = water.share > 0 ? (float)(1 / (water.sun[1] * water.share)) : 0;
+    const float flat[4] = {(float)water.u, (float)water.v, per_flux, 0};
     texture_resize(gl, rays, GL_RGBA32F, surface->width, surface->height, TEXTURE_CLAMP, TEXTURE_NEAREST);
     texture_draw_to(gl, rays);
     program_use(gl, program);
     surface_gpu_bind(gl, input->surface_gpu, program, 0);
-    program_vec3(gl, program, "sun", sun);
+    program_vec3(gl, program, "sun", water.sun);
     program_float(gl, program, "ior", ior);
-    program_int(gl, program, "upwards", upwards);
+    program_int(gl, program, "upwards", water.upwards);
     program_vec4s(gl, program, "flat_water", 1, flat);
     gpu_draw_screen(gl);
 }
@@ -203,10 +191,9 @@ static void draw_disc(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct 
 static int make_discs(struct coverage_gpu *gpu, const struct dpl_gl *gl, const struct light_input *input,
                       const struct light_samples *samples, int side)
 {
-    double sun[3], scale = side / input->setup->size, error = fmax(input->settings->error / 100, ERROR_MIN);
+    double scale = side / input->setup->size, error = fmax(input->settings->error / 100, ERROR_MIN);
     int largest = side;
-    optics_sun_direction(input->sun, sun);
-    const struct coverage_flat flat = coverage_flat_water(sun, input->medium->ior, is_upwards(input));
+    const struct coverage_flat flat = find_flat(input, input->medium->ior);
     for (int slice = 0; slice < input->slices; slice++) {
         double covariance[3];
         coverage_mean_footprint(input, samples, &flat, input->receivers[slice], covariance);
@@ -228,9 +215,10 @@ static struct receiver find_receiver(const struct dpl_gl *gl, const struct light
 {
     const struct surface_gpu *surface = input->surface_gpu;
     struct receiver receiver = {.height = input->receivers[slice], .side = disc->side, .level = level_of(disc)};
-    double sun[3];
-    optics_sun_direction(input->sun, sun);
-    flat_ray(sun, ior, is_upwards(input), receiver.flat);
+    const struct coverage_flat water = find_flat(input, ior);
+    receiver.flat[0] = water.u;
+    receiver.flat[1] = water.v;
+    receiver.flat[2] = water.q;
     receiver.cells = surface->texels.width - (surface->periodic ? 0 : 1);
     receiver.split = receiver.side / receiver.cells / CELL_MAX + 1;
     receiver.cell = (double)receiver.side / receiver.cells / receiver.split;
