@@ -115,8 +115,8 @@ static int count_kinds(double change, double error)
     return count;
 }
 
-/* Texels computed along each side of one of the map. What smearing whole texels adds was measured: most where the disc's
- * radius is a texel, less the finer they are, and little where crests do not focus yet. */
+/* Texels computed along each side of one of the map. What smearing whole texels adds was measured: most where the
+ * disc's radius is a texel, less the finer they are, and little where crests do not focus yet. */
 static int choose_fineness(const struct coverage_flat *flat, const struct slopes *slopes, double receiver,
                            double radius, double error)
 {
