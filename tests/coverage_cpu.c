@@ -132,15 +132,15 @@ static double error_of_mesh(struct fixture *fixture, const struct plane_wave *wa
     return error_of(fixture, 0, 1, wanted);
 }
 
-/* Where the light of crests focuses, at n / ((n - 1) × curvature) = 2.1 m for the three waves that meet in the middle.
+/* Where the light of crests focuses, at n / ((n - 1) × 1.18/m) = 3.4 m for the three waves that meet in the middle.
  * Meshes of 32, 64 and 128 against one of 768, whose own error is then 1/36 of the last one's: 16 times less for two
- * doublings at least, 0.1 % at the end (measured), and twice that where vertices are not balanced. */
+ * doublings at least, 0.1 % at the end (measured), and five times that where vertices are not balanced. */
 static void errors_fall_with_the_square_of_the_mesh(void **state)
 {
     static const struct plane_wave waves[] = {{{2, 1}, 0.016, 0, 0}, {{-1, 3}, 0.008, 0, 0}, {{1, -2}, 0.008, 0, 0}};
     struct fixture *fixture = *state;
     double wanted[64 * 64], errors[3], plain[64 * 64] = {0};
-    fixture->receivers[0] = -2.1;
+    fixture->receivers[0] = -3.4;
     make_waves(fixture, waves, 3, 768, true);
     trace(fixture, 64, 1);
     for (int i = 0; i < 64 * 64; i++)
@@ -156,7 +156,7 @@ static void errors_fall_with_the_square_of_the_mesh(void **state)
         squares += wanted[i] * wanted[i];
     }
     exact = sqrt(exact / squares);
-    if (!(errors[0] > 16 * errors[2] && errors[2] < 2e-3 && errors[2] < 0.65 * exact))
+    if (!(errors[0] > 16 * errors[2] && errors[2] < 2e-3 && errors[2] < 0.3 * exact))
         fail_msg("errors %g, %g, %g; %g where vertices stay", errors[0], errors[1], errors[2], exact);
 }
 
