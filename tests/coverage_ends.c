@@ -146,6 +146,30 @@ static void nothing_is_ever_infinite_or_endless(void **state)
     }
 }
 
+/* Straight above, the sun has no azimuth: what its sine leaves moves no light. */
+static void the_zenith_has_no_azimuth(void **state)
+{
+    struct fixture *fixture = *state;
+    fixture->sun.elevation = 90;
+    make_flat(fixture, MESH, true, 0);
+    for (int azimuth = -360; azimuth <= 360; azimuth += 30) {
+        fixture->sun.azimuth = azimuth;
+        trace(fixture, 25, 1);
+        expect(fixture, 1, 1e-5);
+    }
+}
+
+/* A trough of 2 m in water that lets nothing through: its light has less water than flat water's. */
+static void black_water_is_finite(void **state)
+{
+    const struct plane_wave wave = {{1, 0}, 2, 0, 0};
+    struct fixture *fixture = *state;
+    fixture->medium.absorption[0] = 100;
+    fixture->receivers[0] = -3;
+    make_waves(fixture, &wave, 1, MESH, true);
+    trace(fixture, 25, 1);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -155,6 +179,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(without_refraction_light_is_even, setup, teardown),
         cmocka_unit_test_setup_teardown(absorption_acts_on_each_colour, setup, teardown),
         cmocka_unit_test_setup_teardown(nothing_is_ever_infinite_or_endless, setup, teardown),
+        cmocka_unit_test_setup_teardown(the_zenith_has_no_azimuth, setup, teardown),
+        cmocka_unit_test_setup_teardown(black_water_is_finite, setup, teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
