@@ -59,14 +59,14 @@ const struct command commands[] = {
         .more =
             "error is the relative root mean square sqrt(sum (E-R)^2 / sum R^2) over the map, p99 the 99th percentile\n"
             "of |E-R| in units of the mean of R, energy mean E / mean R. A technique without a physical scale is\n"
-            "multiplied by the gain of least error first. FLIP (Andersson et al. 2020) is of the pictures: 0 looks "
-            "the\n"
-            "same. ms is the time of water and light on this device. --technique may be repeated; without it all are\n"
-            "compared. [reference] says how exact the reference is made. OUT is a contact sheet: .png, .exr or .pfm.\n",
+            "multiplied by the gain of least error first. FLIP (Andersson et al. 2020) is of the maps as the sheet\n"
+            "shows them: 0 looks the same. ms is the time of water and light on this device. --technique may be\n"
+            "repeated; without it all are compared. [reference] says how exact the reference is made. OUT is a\n"
+            "contact sheet: .png, .exr or .pfm.\n",
         .examples = {"compare collard-2 --map 256 --seconds 60 -o sheet.png",
                      "compare my-pool.ini --technique multi-sample --set reference.photons=2000 --json"},
         .flags = SCENE_FLAGS | FLAG_BIT(FLAG_AGAINST) | FLAG_BIT(FLAG_SECONDS) | FLAG_BIT(FLAG_OUTPUT) |
-                 FLAG_BIT(FLAG_TIME) | FLAG_BIT(FLAG_SIZE) | FLAG_BIT(FLAG_JSON) | FLAG_BIT(FLAG_QUIET),
+                 FLAG_BIT(FLAG_TIME) | FLAG_BIT(FLAG_JSON) | FLAG_BIT(FLAG_QUIET),
         .run = command_compare,
     },
     {
