@@ -161,7 +161,7 @@ static void a_point_sun_is_the_plain_sum(void **state)
         {{37, 150, "sines", 2, 0, 60, -70, 1.333}, 0, EXACT}, /* many cells in a texel */
         {{1, 20, "sines", 1, 0, 60, 30, 1.333}, 0, EXACT},
         {{96, 4, "sines", 1, 0, 50, 10, 1.333}, 0, EXACT}, /* cells that are split */
-        {{64, 64, "sines", 0.06, 0, 10, 30, 1.333}, 0, EXACT},
+        {{64, 64, "sines", 0.01, 0, 10, 30, 1.333}, 0, EXACT},
         {{64, 64, "sines", 1, 2, 60, 30, 1.333}, 0, EXACT},
         {{50, 60, "sines", 1, 8, 35, 120, 1.333}, 0, EXACT},
         {{64, 64, "sines", 1, 0, 60, 30, 1}, 0, EXACT}, /* nothing is bent */

@@ -60,13 +60,13 @@ const struct command commands[] = {
             "error is the relative root mean square sqrt(sum (E-R)^2 / sum R^2) over the map, the noise of the\n"
             "reference taken out; p99 the 99th percentile of |E-R| in units of the mean of R, noise and all; energy\n"
             "mean E / mean R. A technique without a physical scale is multiplied by the gain of least error first.\n"
-            "FLIP (Andersson et al. 2020) is of the pictures: 0 looks the same. ms is the time of water and light on\n"
-            "this device. --technique may be repeated; without it all are compared. [reference] says how exact the\n"
-            "reference is made. OUT is a contact sheet: .png, .exr or .pfm.\n",
+            "FLIP (Andersson et al. 2020) is of the maps as the sheet shows them: 0 looks the same. ms is the time of\n"
+            "water and light on this device. --technique may be repeated; without it all are compared. [reference]\n"
+            "says how exact the reference is made. OUT is a contact sheet: .png, .exr or .pfm.\n",
         .examples = {"compare shallows --map 256 --seconds 60 -o sheet.png",
                      "compare my-pool.ini --technique multi-sample --set reference.photons=2000 --json"},
         .flags = SCENE_FLAGS | FLAG_BIT(FLAG_AGAINST) | FLAG_BIT(FLAG_SECONDS) | FLAG_BIT(FLAG_OUTPUT) |
-                 FLAG_BIT(FLAG_TIME) | FLAG_BIT(FLAG_SIZE) | FLAG_BIT(FLAG_JSON) | FLAG_BIT(FLAG_QUIET),
+                 FLAG_BIT(FLAG_TIME) | FLAG_BIT(FLAG_JSON) | FLAG_BIT(FLAG_QUIET),
         .run = command_compare,
     },
     {

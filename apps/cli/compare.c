@@ -80,15 +80,42 @@ static struct dpl_image *make_map(struct compare *compare)
     return map;
 }
 
-/* From a map that is refined as far as it shall be. NULL where there is no OpenGL. */
-static struct dpl_image *make_picture(struct compare *compare)
+static int compare_floats(const void *a, const void *b)
 {
-    const struct session *session = &compare->session;
-    const int *size = session->options->size;
-    compare->ends = 0;
-    return session->gl
-               ? dpl_renderer_picture(session->renderer, session->scene, session->options->time, size[0], size[1])
-               : NULL;
+    float difference = *(const float *)a - *(const float *)b;
+    return (difference > 0) - (difference < 0);
+}
+
+static bool find_white(struct compare *compare)
+{
+    const struct dpl_image *map = compare->reference;
+    size_t count = (size_t)map->width * (size_t)map->height * 3;
+    float *sorted = malloc(count * sizeof *sorted);
+    if (!sorted)
+        return fail_work(compare->session.log, "compare: out of memory");
+    memcpy(sorted, map->pixels, count * sizeof *sorted);
+    qsort(sorted, count, sizeof *sorted, compare_floats);
+    compare->white = fmax(sorted[count - 1 - count / 100], 1e-6);
+    free(sorted);
+    return true;
+}
+
+void compare_expose(const struct compare *compare, double gain, struct dpl_image *map)
+{
+    size_t count = (size_t)map->width * (size_t)map->height * 3;
+    for (size_t i = 0; i < count; i++)
+        map->pixels[i] = (float)pow(fmin(fmax(map->pixels[i] * gain / compare->white, 0), 1), 1 / 2.2);
+}
+
+/* A map as it is shown; the caller destroys it. */
+static struct dpl_image *make_picture(const struct compare *compare, const struct dpl_image *map, double gain)
+{
+    struct dpl_image *picture = dpl_image_create(map->width, map->height, &compare->session.log->log);
+    if (picture) {
+        memcpy(picture->pixels, map->pixels, (size_t)map->width * (size_t)map->height * 3 * sizeof *map->pixels);
+        compare_expose(compare, gain, picture);
+    }
+    return picture;
 }
 
 /* Whatever the scene says, the reference is not blurred. */
@@ -103,10 +130,8 @@ static bool make_reference(struct compare *compare)
     compare->reference = make_map(compare);
     compare->seconds = clock_seconds() - started;
     compare->noise = dpl_renderer_noise(compare->session.renderer);
-    compare->reference_picture = compare->reference ? make_picture(compare) : NULL;
     progress_step(&compare->progress, ++compare->made);
-    return compare->reference && (compare->reference_picture || !compare->session.gl) &&
-           dpl_scene_set(scene, "caustics.blur", blur);
+    return compare->reference && find_white(compare) && dpl_scene_set(scene, "caustics.blur", blur);
 }
 
 static int compare_numbers(const void *a, const void *b)
@@ -150,13 +175,12 @@ static bool measure_technique(struct compare *compare, struct comparison *compar
         !dpl_measure_map(comparison->map, compare->reference, !comparison->technique.physical, compare->noise,
                          &comparison->measure, log))
         return false;
-    comparison->flip = NAN;
-    if (!compare->reference_picture)
-        return true;
-    struct dpl_image *picture = make_picture(compare);
-    bool ok = picture &&
-              dpl_measure_flip(picture, compare->reference_picture, DPL_FLIP_PIXELS_PER_DEGREE, &comparison->flip, log);
+    struct dpl_image *picture = make_picture(compare, comparison->map, comparison->measure.gain);
+    struct dpl_image *wanted = make_picture(compare, compare->reference, 1);
+    bool ok =
+        picture && wanted && dpl_measure_flip(picture, wanted, DPL_FLIP_PIXELS_PER_DEGREE, &comparison->flip, log);
     dpl_image_destroy(picture);
+    dpl_image_destroy(wanted);
     return ok;
 }
 
@@ -232,7 +256,6 @@ bool command_compare(const struct options *options, struct program_log *log)
         dpl_image_destroy(compare.comparisons[i].map);
     free(compare.comparisons);
     dpl_image_destroy(compare.reference);
-    dpl_image_destroy(compare.reference_picture);
     session_end(&compare.session);
     return ok;
 }

@@ -12,22 +12,25 @@ struct comparison {
     struct dpl_image *map;       /* NULL: the technique cannot serve this scene … */
     char failure[LOG_TEXT_SIZE]; /* … for this reason */
     struct dpl_measure measure;  /* of the map; after the gain of least error where the technique is not physical */
-    double flip;                 /* of the picture; NAN: no OpenGL to draw one with */
+    double flip;                 /* of the maps as they are shown, see compare_expose() */
     double milliseconds;         /* of water and light on this device; median */
 };
 
 struct compare {
     struct session session;
     struct dpl_entry against;
-    struct dpl_image *reference;         /* its map */
-    struct dpl_image *reference_picture; /* NULL: no OpenGL */
-    double seconds, noise;               /* of the reference; noise in units of its RMS */
+    struct dpl_image *reference; /* its map */
+    double seconds, noise;       /* of the reference; noise in units of its RMS */
+    double white;                /* what is shown as white: one in a hundred of the reference's values is above it */
     struct comparison *comparisons;
     int count;
     struct progress progress;
     int made;    /* maps, the reference's first */
     double ends; /* clock_seconds() when a map has been refined enough */
 };
+
+/* Turns a map, times a gain, into displayable values: 0 is black, and a gamma of 2.2. */
+void compare_expose(const struct compare *compare, double gain, struct dpl_image *map);
 
 /* The name of the device that computes. */
 const char *compare_device(const struct compare *compare);

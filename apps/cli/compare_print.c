@@ -1,8 +1,6 @@
 #include "cli/compare.h"
 #include "cli/json.h"
 
-#include <math.h>
-
 const char *compare_device(const struct compare *compare)
 {
     const struct dpl_gl *gl = compare->session.gl;
@@ -22,11 +20,7 @@ static void print_comparison(const struct comparison *comparison)
         printf("%8s ", "-");
     else
         printf("%8.3f ", measure->gain);
-    if (isnan(comparison->flip))
-        printf("%8s ", "-");
-    else
-        printf("%8.4f ", comparison->flip);
-    printf("%9.3f\n", comparison->milliseconds);
+    printf("%8.4f %9.3f\n", comparison->flip, comparison->milliseconds);
 }
 
 void compare_print(const struct compare *compare)

@@ -28,7 +28,6 @@ struct sheet {
     struct dpl_image *image;
     const struct compare *compare;
     double mean;   /* of the reference: the unit of what follows */
-    double white;  /* what is shown as white, the same for every map */
     int line;      /* row of the maps that the curves show */
     double *curve; /* that line of the reference … */
     double *tried; /* … and of a technique */
@@ -47,15 +46,15 @@ static double round_up(double value)
     return value <= power ? power : value <= 2 * power ? 2 * power : value <= 5 * power ? 5 * power : 10 * power;
 }
 
-/* Row of the greatest sum. */
-static int brightest_line(const struct dpl_image *map)
+/* Row of the greatest sum, where what is shown as white counts as no brighter: one spot does not decide. */
+static int brightest_line(const struct dpl_image *map, double white)
 {
     int brightest = 0;
     double most = -1;
     for (int j = 0; j < map->height; j++) {
         double sum = 0;
         for (int i = 0; i < map->width; i++)
-            sum += mean_of_channels(map, (size_t)j * (size_t)map->width + (size_t)i);
+            sum += fmin(mean_of_channels(map, (size_t)j * (size_t)map->width + (size_t)i), white);
         if (sum > most)
             brightest = j;
         most = fmax(most, sum);
@@ -87,7 +86,7 @@ static void write_text(const struct sheet *sheet, int x, int y, const char *form
     canvas_text(sheet->image, x, y, ink, text);
 }
 
-/* A map, with a gamma of 2.2, and where the line of the curves runs. */
+/* A map, and where the line of the curves runs. */
 static bool draw_map(const struct sheet *sheet, const struct dpl_image *map, double gain, int y)
 {
     struct box box = {MARGIN, y, SIDE, SIDE};
@@ -95,8 +94,7 @@ static bool draw_map(const struct sheet *sheet, const struct dpl_image *map, dou
     if (!shown)
         return false;
     canvas_picture(shown, (struct box){0, 0, SIDE, SIDE}, map);
-    for (int i = 0; i < SIDE * SIDE * 3; i++)
-        shown->pixels[i] = (float)pow(fmin(fmax(shown->pixels[i] * gain / sheet->mean / sheet->white, 0), 1), 1 / 2.2);
+    compare_expose(sheet->compare, gain, shown);
     canvas_picture(sheet->image, box, shown);
     canvas_frame(sheet->image, box, ink);
     int line = y + (int)((sheet->line + 0.5) * SIDE / map->height);
@@ -172,17 +170,16 @@ static bool draw_reference(const struct sheet *sheet, int y)
 static bool draw_row(const struct sheet *sheet, const struct comparison *comparison, int y)
 {
     const struct dpl_measure *measure = &comparison->measure;
-    char gain[32] = "", flip[32] = "";
+    char gain[32] = "";
     if (!comparison->map) {
         write_text(sheet, MARGIN, y, "%s: not shown: %s", comparison->technique.name, comparison->failure);
         return true;
     }
     if (!comparison->technique.physical)
         snprintf(gain, sizeof gain, ", after a gain of %.3g", measure->gain);
-    if (!isnan(comparison->flip))
-        snprintf(flip, sizeof flip, ", FLIP %.4f", comparison->flip);
-    write_text(sheet, MARGIN, y, "%s: error %.3g %%, p99 %.3g %%, energy %.4f%s%s, %.3g ms", comparison->technique.name,
-               measure->error * 100, measure->p99 * 100, measure->energy, gain, flip, comparison->milliseconds);
+    write_text(sheet, MARGIN, y, "%s: error %.3g %%, p99 %.3g %%, energy %.4f%s, FLIP %.4f, %.3g ms",
+               comparison->technique.name, measure->error * 100, measure->p99 * 100, measure->energy, gain,
+               comparison->flip, comparison->milliseconds);
     y += CANVAS_LINE;
     draw_curves(sheet, comparison, y);
     return draw_map(sheet, comparison->map, measure->gain, y) && draw_difference(sheet, comparison, y);
@@ -194,37 +191,15 @@ static void draw_head(const struct sheet *sheet)
     write_text(sheet, MARGIN, MARGIN, "dapple compare: scene %s at %g s, map %d x %d", session->scene_name,
                session->options->time, sheet->compare->reference->width, sheet->compare->reference->height);
     write_text(sheet, MARGIN, MARGIN + CANVAS_LINE,
-               "maps: 0 is black, %.3g is white; all values in units of the reference's mean", sheet->white);
+               "maps: 0 is black, %.3g is white; all values in units of the reference's mean",
+               sheet->compare->white / sheet->mean);
     write_text(sheet, MARGIN, MARGIN + 2 * CANVAS_LINE,
                "differences: technique - reference; curves along the marked line: reference grey, technique red");
-}
-
-static int compare_floats(const void *a, const void *b)
-{
-    float difference = *(const float *)a - *(const float *)b;
-    return (difference > 0) - (difference < 0);
-}
-
-/* What one in a hundred values of the reference, as the sheet shows it, is brighter than. */
-static bool find_white(struct sheet *sheet)
-{
-    const struct dpl_image *reference = sheet->compare->reference;
-    const int count = SIDE * SIDE * 3;
-    struct dpl_image *small = dpl_image_create(SIDE, SIDE, &sheet->compare->session.log->log);
-    if (!small)
-        return false;
-    canvas_picture(small, (struct box){0, 0, SIDE, SIDE}, reference);
-    qsort(small->pixels, (size_t)count, sizeof *small->pixels, compare_floats);
-    sheet->white = small->pixels[count - count / 100] / sheet->mean;
-    dpl_image_destroy(small);
-    return true;
 }
 
 static bool draw_sheet(struct sheet *sheet)
 {
     const struct compare *compare = sheet->compare;
-    if (!find_white(sheet))
-        return false;
     canvas_fill(sheet->image, (struct box){0, 0, sheet->image->width, sheet->image->height}, paper);
     draw_head(sheet);
     int y = HEAD;
@@ -244,7 +219,7 @@ struct dpl_image *compare_sheet(const struct compare *compare)
     int height = HEAD + ROW;
     for (int i = 0; i < compare->count; i++)
         height += compare->comparisons[i].map ? ROW : ROW_FAILED;
-    struct sheet sheet = {.compare = compare, .line = brightest_line(reference)};
+    struct sheet sheet = {.compare = compare, .line = brightest_line(reference, compare->white)};
     for (size_t i = 0; i < texels; i++)
         sheet.mean += mean_of_channels(reference, i) / (double)texels;
     sheet.image = dpl_image_create(WIDTH, height, &compare->session.log->log);

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #define AREA_MIN 1e-5f /* of an image to the area in flat water: below it is a point */
+#define MOST_GAIN 8.0f /* exponent of what a shorter way through black water gains: as the reference has it */
 #define CHUNK 64       /* vertices or cells at a time */
 #define FARTHEST 64.0f /* sides of the map that an image may lie off */
 
@@ -73,7 +74,7 @@ VECTOR_CLONES static void place_vertices(const struct placing *placing, const st
     const float receiver = placing->receiver, scale = placing->scale, direction = placing->direction;
     const float flat_x = placing->flat_x, flat_z = placing->flat_z, flat_length = placing->flat_length;
     const float *restrict texels = row->texels, *restrict u = row->u, *restrict v = row->v, *restrict q = row->q;
-    const float *restrict weight = row->weight;
+    const float *restrict weight = row->weight, most_gain = MOST_GAIN;
     float *restrict x = row->x, *restrict z = row->z;
     for (int i = 0; i < count; i++) {
         float way = direction * vector_positive(direction * (receiver - texels[3 * i])); /* 0: water beyond it */
@@ -85,7 +86,8 @@ VECTOR_CLONES static void place_vertices(const struct placing *placing, const st
         float *restrict light = row->light[c];
         for (int i = 0; i < count; i++) {
             float way = direction * vector_positive(direction * (receiver - texels[3 * i]));
-            light[i] = weight[i] * exponential(-absorption * (q[i] * way - flat_length));
+            float gain = absorption * (flat_length - q[i] * way);
+            light[i] = weight[i] * exponential(most_gain - vector_positive(most_gain - gain));
         }
     }
     for (int a = 0; a < 2; a++) {
@@ -167,8 +169,9 @@ static void bound_row(struct coverage_cells *cells, int side, int j)
         last = last < cells->columns ? last : cells->columns;
         for (int i = first; i <= last; i++) {
             float z = rest + vector_clamp(cells->moved[1][row + (size_t)i], -farthest, farthest);
-            block.least_z = z < block.least_z ? z : block.least_z;
-            block.most_z = z > block.most_z ? z : block.most_z;
+            float rounding = 0.01f + 1e-6f * fabsf(z); /* what is drawn is not rounded */
+            block.least_z = z - rounding < block.least_z ? z - rounding : block.least_z;
+            block.most_z = z + rounding > block.most_z ? z + rounding : block.most_z;
             for (int a = 0; a < 2; a++) {
                 float kind = cells->kind[a][row + (size_t)i];
                 block.least_kind[a] = kind < block.least_kind[a] ? kind : block.least_kind[a];

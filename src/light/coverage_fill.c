@@ -207,8 +207,9 @@ static void fill_blocks(const struct band *band)
             int low = band->first;
             if (cells->periodic)
                 low += band->side * (int)ceil(((double)least - band->first - band->count) / band->side);
-            for (; low <= most && low + band->count >= least; low += band->side) {
-                fill_block(band, low, j, b);
+            for (; low <= most; low += band->side) {
+                if (low + band->count >= least)
+                    fill_block(band, low, j, b);
                 if (!cells->periodic)
                     break;
             }
