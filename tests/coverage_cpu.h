@@ -13,9 +13,19 @@ extern const struct light_technique light_coverage;
 #define SIZE 2.0 /* m */
 #define SLICES_MAX 4
 
+#define WAVES_MAX 6
+
+/* A wave A cos(k · (x, z) + phase), whose points move sideways too: `choppy` is how far, in units of its height. */
+struct plane_wave {
+    int cycles[2];
+    double amplitude, phase, choppy; /* m, radians */
+};
+
 struct fixture {
     struct support_log log;
-    struct surface surface;
+    struct plane_wave waves[WAVES_MAX];
+    int wave_count;
+    struct surface surface; /* of these waves */
     struct optics_sun sun;
     struct water_medium medium;
     struct light_settings settings;
@@ -50,12 +60,6 @@ static inline int teardown(void **state)
     return errors;
 }
 
-/* A wave A cos(k · (x, z) + phase), whose points move sideways too: `choppy` is how far, in units of its height. */
-struct plane_wave {
-    int cycles[2];
-    double amplitude, phase, choppy; /* m, radians */
-};
-
 /* Slopes of a surface whose points move sideways: by the derivatives along the coordinates at rest. */
 static inline void wave_vertex(const struct plane_wave *waves, int count, double x, double z, double out[5])
 {
@@ -82,6 +86,9 @@ static inline void make_waves(struct fixture *fixture, const struct plane_wave *
 {
     struct surface *surface = &fixture->surface;
     bool choppy = false;
+    assert_true(count <= WAVES_MAX);
+    memmove(fixture->waves, waves, (size_t)count * sizeof *waves);
+    fixture->wave_count = count;
     for (int w = 0; w < count; w++)
         choppy = choppy || waves[w].choppy != 0;
     assert_true(surface_resize(surface, mesh, mesh, periodic, choppy, SIZE, &fixture->log.log));
@@ -111,11 +118,29 @@ static inline void make_random(struct fixture *fixture, uint64_t seed, int cycle
     make_waves(fixture, waves, 6, mesh, periodic);
 }
 
+/* The waves at any point. Areas are not needed. */
+static inline void sample_waves(const struct water_setup *setup, double time, struct water_points *points)
+{
+    const struct fixture *fixture = setup->params;
+    (void)time;
+    for (int i = 0; i < points->count; i++) {
+        double out[5];
+        wave_vertex(fixture->waves, fixture->wave_count, points->x[i], points->z[i], out);
+        points->height[i] = out[0];
+        points->slope_x[i] = out[1];
+        points->slope_z[i] = out[2];
+    }
+}
+
 /* Traces the first `slices` receivers; every texel is finite and not negative. */
 static inline void trace(struct fixture *fixture, int side, int slices)
 {
+    const struct water_model model = {.name = "waves", .sample = sample_waves};
+    const struct water_setup setup = {.size = SIZE, .params = fixture};
     const struct light_input input = {
         .surface = &fixture->surface,
+        .model = &model,
+        .setup = &setup,
         .receivers = fixture->receivers,
         .slices = slices,
         .sun = &fixture->sun,

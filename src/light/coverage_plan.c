@@ -99,10 +99,12 @@ static int count_kinds(double change, double error)
 int coverage_choose_fineness(const struct light_samples *samples, const struct coverage_flat *flat, double receiver,
                              double radius, double error, int most)
 {
-    double focusing = fmin(fabs(receiver) * light_power(receiver, flat->ior) * samples->curvature, 1); /* 1: in focus */
+    double slant = pow(fabs(flat->q), 3); /* of a low sun's light: its way is longer, and its image drawn out */
+    double focusing = fmin(fabs(receiver) * light_power(receiver, flat->ior) * samples->curvature * slant, 1); /* 1: in focus */
     double coarse = 0.075 * fmin(pow(radius, -1.75), pow(radius, 0.3)) * pow(focusing, 3.5);
-    double order = radius < 0.7 ? 1.5 : 2.3;
-    return (int)fmin(fmax(ceil(pow(coarse / error, 1 / order)), 1), most);
+    double order = radius < 0.7 ? 1.5 : 2.3, fineness = ceil(pow(coarse / error, 1 / order));
+    const double seen = 0.6; /* fine texels: the ellipse of a smaller radius is all in one */
+    return fineness <= 1 ? 1 : (int)fmin(fmax(fineness, ceil(seen / radius)), most);
 }
 
 bool coverage_mean_footprint(const struct light_input *input, const struct light_samples *samples,
