@@ -100,7 +100,8 @@ int coverage_choose_fineness(const struct light_samples *samples, const struct c
                              double radius, double error, int most)
 {
     double slant = pow(fabs(flat->q), 3); /* of a low sun's light: its way is longer, and its image drawn out */
-    double focusing = fmin(fabs(receiver) * light_power(receiver, flat->ior) * samples->curvature * slant, 1); /* 1: in focus */
+    double focusing =
+        fmin(fabs(receiver) * light_power(receiver, flat->ior) * samples->curvature * slant, 1); /* 1: in focus */
     double coarse = 0.075 * fmin(pow(radius, -1.75), pow(radius, 0.3)) * pow(focusing, 3.5);
     double order = radius < 0.7 ? 1.5 : 2.3, fineness = ceil(pow(coarse / error, 1 / order));
     const double seen = 0.6; /* fine texels: the ellipse of a smaller radius is all in one */
