@@ -171,9 +171,10 @@ static bool make_and_time_map(struct compare *compare, struct comparison *compar
 static bool measure_technique(struct compare *compare, struct comparison *comparison)
 {
     const struct dpl_log *log = &compare->session.log->log;
+    comparison->fitted = !comparison->technique.physical || !compare->against.physical;
     if (!use_technique(compare, comparison->technique.name) || !make_and_time_map(compare, comparison) ||
-        !dpl_measure_map(comparison->map, compare->reference, !comparison->technique.physical, compare->noise,
-                         &comparison->measure, log))
+        !dpl_measure_map(comparison->map, compare->reference, comparison->fitted, compare->noise, &comparison->measure,
+                         log))
         return false;
     struct dpl_image *picture = make_picture(compare, comparison->map, comparison->measure.gain);
     struct dpl_image *wanted = make_picture(compare, compare->reference, 1);

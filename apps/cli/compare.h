@@ -11,7 +11,8 @@ struct comparison {
     struct dpl_entry technique;
     struct dpl_image *map;       /* NULL: the technique cannot serve this scene … */
     char failure[LOG_TEXT_SIZE]; /* … for this reason */
-    struct dpl_measure measure;  /* of the map; after the gain of least error where the technique is not physical */
+    bool fitted;                 /* it or the reference has no physical scale */
+    struct dpl_measure measure;  /* of the map; after the gain of least error where it is fitted */
     double flip;                 /* of the maps as they are shown, see compare_expose() */
     double milliseconds;         /* of water and light on this device; median */
 };

@@ -16,7 +16,7 @@ static void print_comparison(const struct comparison *comparison)
     }
     printf("%-14s %8.3f %8.2f %8.4f ", comparison->technique.name, measure->error * 100, measure->p99 * 100,
            measure->energy);
-    if (comparison->technique.physical)
+    if (!comparison->fitted)
         printf("%8s ", "-");
     else
         printf("%8.3f ", measure->gain);
@@ -35,10 +35,12 @@ void compare_print(const struct compare *compare)
     for (int i = 0; i < compare->count; i++) {
         const struct comparison *comparison = compare->comparisons + i;
         print_comparison(comparison);
-        fitted = fitted || (comparison->map && !comparison->technique.physical);
+        fitted = fitted || (comparison->map && comparison->fitted);
     }
     if (fitted)
-        puts("\ngain: this technique has no physical scale; its map is multiplied by the gain of least error first");
+        puts("\ngain: this technique, or the one that stands for the truth, has no physical scale; its map is "
+             "multiplied by "
+             "the gain of least error first");
 }
 
 static void print_comparison_json(const struct comparison *comparison, struct json *json)

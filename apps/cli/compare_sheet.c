@@ -175,7 +175,7 @@ static bool draw_row(const struct sheet *sheet, const struct comparison *compari
         write_text(sheet, MARGIN, y, "%s: not shown: %s", comparison->technique.name, comparison->failure);
         return true;
     }
-    if (!comparison->technique.physical)
+    if (comparison->fitted)
         snprintf(gain, sizeof gain, ", after a gain of %.3g", measure->gain);
     write_text(sheet, MARGIN, y, "%s: error %.3g %%, p99 %.3g %%, energy %.4f%s, FLIP %.4f, %.3g ms",
                comparison->technique.name, measure->error * 100, measure->p99 * 100, measure->energy, gain,

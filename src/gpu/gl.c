@@ -10,7 +10,7 @@
 
 /* Those that dapple uses, as dapple/gl.h says. */
 #define TEXTURE_UNITS 8
-#define STORAGE_BUFFERS 2
+#define STORAGE_BUFFERS 1
 
 static bool load_functions(struct dpl_gl *gl, const struct dpl_gl_options *options)
 {

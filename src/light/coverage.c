@@ -16,8 +16,10 @@
 static const struct dpl_param params[] = {
     PARAM_INT(struct coverage, fineness, 0, 0, COVERAGE_FINENESS_MAX, "",
               "texels computed along each side of a texel of the map; 0 = as caustics.error needs"),
-    PARAM_INT(struct coverage, footprints, 0, 0, COVERAGE_KINDS_MAX, "",
-              "footprints of the sun's disc along either axis of slope; 0 = as caustics.error needs"),
+    PARAM_INT(
+        struct coverage, footprints, 0, 0, COVERAGE_KINDS_MAX, "",
+        "footprints of the sun's disc along either axis of slope (on the CPU; the GPU has one); 0 = as caustics.error "
+        "needs"),
     PARAM_END,
 };
 
@@ -27,7 +29,7 @@ struct state {
     struct light_samples samples;
     struct coverage_plan plan;
     struct coverage_bands bands;
-    struct light_map small;
+    struct light_map small; /* room for half the map's side and less */
     struct coverage_gpu gpu;
 };
 
@@ -47,15 +49,17 @@ static bool trace_color(struct state *state, const struct light_input *input, do
             return false;
         bool whole = state->plan.side == map->side;
         const struct coverage_receiver receiver = {height, state->plan.side * state->plan.fineness};
-        if (!whole && !light_map_resize(&state->small, state->plan.side, map->channels, 1, input->log))
+        if (!whole && !light_map_resize(&state->small, (map->side + 1) / 2, map->channels, 1, input->log))
             return false;
+        struct light_map small = state->small;
+        small.side = state->plan.side;
         if (!coverage_cells_place(&state->cells, &state->rays, input->surface, &flat, input->medium->absorption,
                                   &receiver, &state->plan.kinds, input->log) ||
-            !coverage_bands_trace(&state->bands, &state->cells, &state->plan, color, whole ? map : &state->small,
+            !coverage_bands_trace(&state->bands, &state->cells, &state->plan, color, whole ? map : &small,
                                   whole ? slice : 0, input->log))
             return false;
         if (!whole)
-            coverage_enlarge(&state->small, color, input->surface->periodic, map, slice);
+            coverage_enlarge(&small, color, input->surface->periodic, map, slice);
     }
     return true;
 }
@@ -91,6 +95,7 @@ static void finish(void *state_, struct dpl_gl *gl)
     coverage_plan_finish(&state->plan);
     coverage_bands_finish(&state->bands);
     light_map_finish(&state->small);
+    *state = (struct state){0};
 }
 
 const struct light_technique light_coverage = {

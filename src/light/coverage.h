@@ -62,8 +62,8 @@ typedef float coverage_light __attribute__((vector_size(16)));
 #define COVERAGE_KIND_ROW 4096.0f
 
 /* Kinds of triangles that are not filled. */
-#define COVERAGE_POINT (-1.0f) /* the image has no area: the colours are its flux */
-#define COVERAGE_DARK (-2.0f)
+#define COVERAGE_DARK (-1.0f)
+#define COVERAGE_POINT (-2.0f) /* less the kind proper: the image has no area, and the colours are its flux */
 
 /* The images of the surface's cells on one receiver. */
 struct coverage_cells {
@@ -82,7 +82,7 @@ struct coverage_cells {
     } * blocks; /* (rows + 1) × blocks_across: what a stretch of a row of vertices, its neighbours to the left and right
                    included, reaches over */
     int blocks_across;
-    double *spread; /* rows × 3: flux of images too wide to be filled; it is spread over the map */
+    double *spread; /* rows × 3: flux of images too wide to be filled; a periodic surface spreads it over the map */
 };
 
 struct coverage_receiver {
@@ -125,9 +125,15 @@ struct coverage_footprint {
     struct coverage_tap *taps;
 };
 
+/* Where ellipses are drawn. */
+struct coverage_raster {
+    double *cells;
+    size_t room;
+};
+
 /* The footprint of a uniform ellipse of that covariance, xx, xz, zz in square fine texels. Keeps kind and level. */
 bool coverage_footprint_make(struct coverage_footprint *footprint, const double covariance[3], int fineness,
-                             const struct dpl_log *log);
+                             struct coverage_raster *raster, const struct dpl_log *log);
 void coverage_footprint_finish(struct coverage_footprint *footprint);
 
 /* The mean footprint's covariance in square metres; false where no light arrives. */
@@ -151,19 +157,21 @@ struct coverage_plan {
     int count; /* of footprints; 1 without taps: a point sun */
     struct coverage_footprint footprints[COVERAGE_KINDS_MAX * COVERAGE_KINDS_MAX];
     int reach; /* the widest's */
+    struct coverage_raster raster;
 };
 bool coverage_plan_make(struct coverage_plan *plan, const struct light_input *input,
                         const struct light_samples *samples, const struct coverage_flat *flat, double receiver,
                         int side);
 void coverage_plan_finish(struct coverage_plan *plan);
 
-/* Fills and smears: the map of one receiver. `color` is the one that is written, -1 all. */
+/* Room for bands of rows, one for each thread. All zero: none yet. */
 struct coverage_bands {
     int threads;
     size_t sums_size, light_size, sorted_size, out_size; /* a thread's */
     void *sums;
     float *light, *sorted, *out;
 };
+/* Fills and smears: the map of one receiver. `color` is the one that is written, -1 all. */
 bool coverage_bands_trace(struct coverage_bands *bands, const struct coverage_cells *cells,
                           const struct coverage_plan *plan, int color, struct light_map *map, int slice,
                           const struct dpl_log *log);

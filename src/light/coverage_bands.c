@@ -45,12 +45,16 @@ static bool resize(struct coverage_bands *bands, const struct task *task, const 
         .sorted_size = (size_t)task->stride * (size_t)fineness * 3 * (size_t)lines,
         .out_size = (size_t)task->side * 3 * (size_t)task->rows,
     };
-    size_t threads = (size_t)wanted.threads;
     bool fits = bands->sums && wanted.threads <= bands->threads && wanted.sums_size <= bands->sums_size &&
                 wanted.light_size <= bands->light_size && wanted.sorted_size <= bands->sorted_size &&
                 wanted.out_size <= bands->out_size;
     if (fits)
         return true;
+    size_t *const sizes[] = {&wanted.sums_size, &wanted.light_size, &wanted.sorted_size, &wanted.out_size};
+    const size_t had[] = {bands->sums_size, bands->light_size, bands->sorted_size, bands->out_size};
+    for (int i = 0; i < 4; i++) /* slices take turns: room for the largest of each */
+        *sizes[i] = *sizes[i] > had[i] ? *sizes[i] : had[i];
+    size_t threads = (size_t)wanted.threads;
     coverage_bands_finish(bands);
     *bands = wanted;
     bands->sums = aligned_alloc(32, threads * wanted.sums_size);

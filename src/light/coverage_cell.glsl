@@ -1,6 +1,7 @@
-/* The image of one cell of the surface on a receiver, in texels of the map. Large cells are split, and the parts count as
- * cells. */
+/* The image of one cell of the surface on a receiver, in texels of the map. Large cells are split, and the parts count
+ * as cells. */
 #include "light/coverage_area.glsl"
+#include "optics/refraction.glsl"
 uniform sampler2D rays;      /* of coverage_rays.glsl */
 uniform vec4 flat_water;     /* u, v; q, the length of light's path for each metre of height, with its sign */
 uniform vec3 absorption;     /* 1/m; 0 above the surface */
@@ -12,7 +13,6 @@ uniform int split;           /* cells a side that one of the surface is split in
 uniform float texels_a_meter;
 uniform float widest;        /* texels */
 
-const float MOST_GAIN = 8.0; /* exponent of what a shorter way through black water gains: as on the CPU */
 const float SLIVER = 1.0 / 64.0; /* texels: triangles are made no thinner, so that floats hold their area */
 
 struct image {
@@ -31,10 +31,11 @@ corner find_vertex(ivec2 index, ivec2 side)
     vertex = ivec2(vertex.x == count.x ? 0 : vertex.x, vertex.y == count.y ? 0 : vertex.y);
     vec4 ray = texelFetch(rays, vertex, 0);
     vec2 uv = flat_water.xy + ray.xy;
-    float height = receiver > 0.0 ? min(ray.z, receiver) : max(ray.z, receiver); /* water beyond the receiver lies on it */
+    /* water beyond the receiver lies on it */
+    float height = receiver > 0.0 ? min(ray.z, receiver) : max(ray.z, receiver);
     float path = abs(receiver - height) * sqrt(1.0 + dot(uv, uv)) - abs(receiver * flat_water.z);
     vec2 moved = ray.xy * (receiver - height) - flat_water.xy * height;
-    vec3 left = exp(min(-absorption * path, MOST_GAIN));
+    vec3 left = optics_transmittance(absorption, path);
     return corner(vec2(side) * cell * float(split) + moved * texels_a_meter, ray.w * left * channels);
 }
 

@@ -4,13 +4,13 @@
 
 #include "base/exponential.h"
 #include "base/log.h"
+#include "optics/refraction.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #define AREA_MIN 1e-5f /* of an image to the area in flat water: below it is a point */
-#define MOST_GAIN 8.0f /* exponent of what a shorter way through black water gains: as the reference has it */
 #define CHUNK 64       /* vertices or cells at a time */
 #define FARTHEST 64.0f /* sides of the map that an image may lie off */
 
@@ -74,7 +74,7 @@ VECTOR_CLONES static void place_vertices(const struct placing *placing, const st
     const float receiver = placing->receiver, scale = placing->scale, direction = placing->direction;
     const float flat_x = placing->flat_x, flat_z = placing->flat_z, flat_length = placing->flat_length;
     const float *restrict texels = row->texels, *restrict u = row->u, *restrict v = row->v, *restrict q = row->q;
-    const float *restrict weight = row->weight, most_gain = MOST_GAIN;
+    const float *restrict weight = row->weight, most_gain = (float)OPTICS_GAIN_MOST;
     float *restrict x = row->x, *restrict z = row->z;
     for (int i = 0; i < count; i++) {
         float way = direction * vector_positive(direction * (receiver - texels[3 * i])); /* 0: water beyond it */
@@ -248,12 +248,12 @@ static void write_density(const struct images *images, int i, float patch, float
     float area = images->area[i], kind = images->kind[i];
     coverage_light flux = {images->light[0][i] * patch, images->light[1][i] * patch, images->light[2][i] * patch, 0};
     if (!(images->size[i] <= widest)) {
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; spread && c < 3; c++)
             spread[c] += (double)flux[c];
         kind = COVERAGE_DARK;
         flux = (coverage_light){0};
     } else if (fabsf(area) < AREA_MIN * patch) {
-        kind = COVERAGE_POINT;
+        kind = COVERAGE_POINT - kind;
     } else {
         flux /= area;
     }
@@ -281,7 +281,8 @@ static void fill_densities(struct coverage_cells *cells, const struct surface *s
             for (int i = 0; i < count; i++) {
                 float patch = surface->shifts ? choppy_patch(cells, surface, scale, from + i, j, second)
                                               : 0.5f * spacing * spacing;
-                write_density(&images, i, patch, widest, spread, out + 2 * (from + i) + second);
+                write_density(&images, i, patch, widest, cells->periodic ? spread : NULL,
+                              out + 2 * (from + i) + second);
             }
         }
     }

@@ -151,8 +151,8 @@ VECTOR_PART void fill_cell(const struct band *band, int low, int i, int j)
     if (i < cells->columns && differs(&diagonal))
         fill_edge(band, low, right_x, right_z, below_x, below_z, &diagonal);
     for (int k = 0; k < 2; k++)
-        if (here[k][3] == COVERAGE_POINT && band->kind[0] == 0 && band->kind[1] == 0)
-            fill_point(band, low, right_x, right_z, here[k]);
+        if (here[k][3] <= COVERAGE_POINT)
+            fill_point(band, low, right_x, right_z, here[k] * share_of(band, COVERAGE_POINT - here[k][3]));
 }
 
 static float lesser(float a, float b)

@@ -45,17 +45,25 @@ static bool make_room(struct coverage_footprint *footprint, int count, const str
     return footprint->taps != NULL;
 }
 
+static bool grow(struct coverage_raster *raster, size_t count, const struct dpl_log *log)
+{
+    if (raster->room >= count)
+        return true;
+    free(raster->cells);
+    raster->cells = base_allocate(log, count, sizeof *raster->cells, "footprint of the sun");
+    raster->room = raster->cells ? count : 0;
+    return raster->cells != NULL;
+}
+
 bool coverage_footprint_make(struct coverage_footprint *footprint, const double covariance[3], int fineness,
-                             const struct dpl_log *log)
+                             struct coverage_raster *raster, const struct dpl_log *log)
 {
     const double changes_nothing = 1e-9;
     double extent = 2 * sqrt(fmax(covariance[0], covariance[2]));
     int reach = (int)floor(extent + 0.5) + 1, side = 2 * reach + 1, wide = 2 * reach + fineness + 1;
-    double *cells = base_allocate(log, (size_t)side * (size_t)side, sizeof *cells, "footprint of the sun");
-    if (!cells || !make_room(footprint, wide * wide, log)) {
-        free(cells);
+    if (!grow(raster, (size_t)side * (size_t)side, log) || !make_room(footprint, wide * wide, log))
         return false;
-    }
+    double *cells = raster->cells;
     coverage_ellipse(covariance, reach, cells);
     footprint->reach = reach;
     footprint->count = 0;
@@ -68,7 +76,6 @@ bool coverage_footprint_make(struct coverage_footprint *footprint, const double 
             before = here;
         }
     }
-    free(cells);
     return true;
 }
 

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #define ERROR_MIN 0.02 /* of the map: what one footprint for all slopes leaves makes finer maps useless */
+#define SPARE 128      /* texels for margins beside a finer sharp map */
 #define CELL_MAX 16    /* texels; larger cells are split, for points are not drawn in any size */
 #define UNIT 65536.0   /* whole numbers in the light of flat water: the brightest texel may be 65536 times as bright */
 
@@ -24,6 +25,7 @@ struct receiver {
     int cells, split;   /* a side of the surface, and that each of them is split into */
     double cell;        /* texels, of what is split */
     int widest, margin; /* texels of a cell's image; of the blended light */
+    double unit;        /* whole numbers in the light of flat water */
 };
 
 /* Whether light of a map of that side is added up by compute shaders: a buffer must hold it. */
@@ -87,13 +89,13 @@ static void bind_cells(struct dpl_gl *gl, const struct gpu_program *program, con
     program_int(gl, program, "side", receiver->side);
     program_int(gl, program, "cells", receiver->cells * receiver->split);
     program_int(gl, program, "periodic", input->surface_gpu->periodic);
-    program_float(gl, program, "unit", UNIT);
+    program_float(gl, program, "unit", receiver->unit);
 }
 
-/* Makes the buffer hold zeros for a map of that side, or leaves it where it does. */
+/* Makes the buffer hold zeros for a map of that side, or leaves it where it holds as many. */
 static bool resize_light(struct coverage_gpu *gpu, struct dpl_gl *gl, int side)
 {
-    if (gpu->light && gpu->light_side == side)
+    if (gpu->light && gpu->light_side >= side)
         return true;
     size_t size = (size_t)side * (size_t)side * 3;
     unsigned *zeros = base_allocate(gl->log, size, sizeof *zeros, "light");
@@ -163,7 +165,7 @@ static void resolve(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct re
     gl->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     program_use(gl, &gpu->resolve_program);
     program_int(gl, &gpu->resolve_program, "side", receiver->side);
-    program_float(gl, &gpu->resolve_program, "unit", UNIT);
+    program_float(gl, &gpu->resolve_program, "unit", receiver->unit);
     gpu_draw_screen(gl);
     gl->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
@@ -193,6 +195,7 @@ static int make_discs(struct coverage_gpu *gpu, const struct dpl_gl *gl, const s
 {
     double scale = side / input->setup->size, error = fmax(input->settings->error / 100, ERROR_MIN);
     int largest = side;
+    const struct coverage *params = input->params;
     const struct coverage_flat flat = find_flat(input, input->medium->ior);
     for (int slice = 0; slice < input->slices; slice++) {
         double covariance[3];
@@ -200,10 +203,12 @@ static int make_discs(struct coverage_gpu *gpu, const struct dpl_gl *gl, const s
         for (int c = 0; c < 3; c++)
             covariance[c] *= scale * scale;
         double radius = 2 * sqrt(fmax(covariance[0], covariance[2]));
-        int fineness =
-            coverage_choose_fineness(samples, &flat, input->receivers[slice], radius, error, COVERAGE_FINEST);
-        if (side * fineness > gl->info.texture_max)
-            fineness = 1;
+        int fineness = params->fineness < COVERAGE_FINEST ? params->fineness : COVERAGE_FINEST;
+        if (fineness == 0)
+            fineness =
+                coverage_choose_fineness(samples, &flat, input->receivers[slice], radius, error, COVERAGE_FINEST);
+        while (fineness > 1 && side * fineness + SPARE > gl->info.texture_max)
+            fineness--;
         coverage_disc_make(gpu->discs + slice, side, covariance, coverage_disc_fineness(radius, fineness));
         largest = gpu->discs[slice].side > largest ? gpu->discs[slice].side : largest;
     }
@@ -211,7 +216,7 @@ static int make_discs(struct coverage_gpu *gpu, const struct dpl_gl *gl, const s
 }
 
 static struct receiver find_receiver(const struct dpl_gl *gl, const struct light_input *input, int slice, double ior,
-                                     const struct coverage_disc *disc)
+                                     const struct coverage_disc *disc, bool computed)
 {
     const struct surface_gpu *surface = input->surface_gpu;
     struct receiver receiver = {.height = input->receivers[slice], .side = disc->side, .level = level_of(disc)};
@@ -222,12 +227,18 @@ static struct receiver find_receiver(const struct dpl_gl *gl, const struct light
     receiver.cells = surface->texels.width - (surface->periodic ? 0 : 1);
     receiver.split = receiver.side / receiver.cells / CELL_MAX + 1;
     receiver.cell = (double)receiver.side / receiver.cells / receiver.split;
-    receiver.widest = (int)fmin(64 + 4 * receiver.cell, gl->info.point_max - 2);
+    receiver.widest = (int)(64 + 4 * receiver.cell);
+    if (!computed && receiver.widest > gl->info.point_max - 2)
+        receiver.widest = gl->info.point_max > CELL_MAX ? gl->info.point_max - 2 : CELL_MAX;
+    double side = receiver.side, least = UNIT * fmax(1, pow(receiver.cell, -2)); /* so that a cell has many */
+    receiver.unit = fmin(least, fmax(UNIT, 0x1p28 / (side * side)));             /* so that a texel can hold all */
     receiver.margin = receiver.widest / 2 + 2;
     for (int i = 0; i < 2; i++) {
         receiver.offset[i] = receiver.flat[i] * receiver.height / input->setup->size * receiver.side;
+        const double outside = 1e7; /* texels: whatever lies there is not seen */
         if (surface->periodic)
             receiver.offset[i] = fmod(receiver.offset[i], receiver.side);
+        receiver.offset[i] = fmin(fmax(receiver.offset[i], -outside), outside);
     }
     for (int c = 0; c < 3 && !is_upwards(input); c++)
         receiver.absorption[c] = input->medium->absorption[c];
@@ -253,7 +264,7 @@ static struct receiver add_cells(struct coverage_gpu *gpu, struct dpl_gl *gl, co
     struct receiver receiver = {0};
     for (int pass = 0; pass < passes; pass++) {
         const double *channels = passes == 1 ? all : one[pass];
-        receiver = find_receiver(gl, input, slice, ior[pass], gpu->discs + slice);
+        receiver = find_receiver(gl, input, slice, ior[pass], gpu->discs + slice, gpu->computed);
         if (gpu->computed)
             compute_cells(gpu, gl, input, &receiver, gpu->rays + pass, channels);
         else

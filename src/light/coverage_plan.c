@@ -6,11 +6,12 @@
 #include "light/coverage.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
-#define RADIUS_MAX 24.0  /* texels of a footprint: a wider one is computed with fewer */
-#define RADIUS_END 512.0 /* likewise, where there is only one texel left */
-#define WIDTHS 2.2       /* standard deviations of the slopes that the grid of kinds reaches over, to either side */
+#define RADIUS_MAX 24.0 /* texels of a footprint: a wider one is computed with fewer */
+#define RADIUS_END 64.0 /* likewise, where there is only one texel left */
+#define WIDTHS 2.2      /* standard deviations of the slopes that the grid of kinds reaches over, to either side */
 
 /* Covariance xx, xz, zz of the disc's footprint in square metres on a receiver `way` metres from the surface. */
 static bool footprint_at(const struct light_input *input, const struct coverage_flat *flat, const double slopes[2],
@@ -144,7 +145,7 @@ static double place_among(const struct coverage_kinds *kinds, int axis, const do
     return fmin(fmax(place, 0), kinds->count[axis] - 1);
 }
 
-/* A footprint of thousands of tiles gives what one of hundreds gives. */
+/* A footprint of thousands of tiles gives what one of some tens gives. */
 static void limit(double covariance[3])
 {
     double most = pow(RADIUS_END / 2, 2), scale = fmin(most / fmax(fmax(covariance[0], covariance[2]), most), 1);
@@ -152,7 +153,7 @@ static void limit(double covariance[3])
         covariance[c] *= scale;
 }
 
-/* Gives each kind the mean footprint of the light that belongs to it. Kinds without light are left out. */
+/* Gives each kind the mean footprint of the samples that belong to it; where there are none, that of all. */
 static bool make_footprints(struct coverage_plan *plan, const struct light_input *input,
                             const struct light_samples *samples, const struct coverage_flat *flat, double receiver,
                             double scale)
@@ -173,6 +174,8 @@ static bool make_footprints(struct coverage_plan *plan, const struct light_input
             total += share;
         }
     }
+    double mean[3];
+    coverage_mean_footprint(input, samples, flat, receiver, mean);
     plan->count = plan->reach = 0;
     for (int k = 0; k < kinds->count[0] * kinds->count[1]; k++) {
         struct coverage_footprint *footprint = plan->footprints + plan->count++;
@@ -182,8 +185,11 @@ static bool make_footprints(struct coverage_plan *plan, const struct light_input
         footprint->level = sums[k][3] / fmax(total, 1e-9);
         for (int c = 0; c < 3; c++)
             covariance[c] = sums[k][c] * texels;
+        if (sums[k][3] == 0)
+            for (int c = 0; c < 3; c++)
+                covariance[c] = mean[c] * scale * scale;
         limit(covariance);
-        if (!coverage_footprint_make(footprint, covariance, plan->fineness, input->log))
+        if (!coverage_footprint_make(footprint, covariance, plan->fineness, &plan->raster, input->log))
             return false;
         plan->reach = footprint->reach > plan->reach ? footprint->reach : plan->reach;
     }
@@ -222,8 +228,9 @@ bool coverage_plan_make(struct coverage_plan *plan, const struct light_input *in
                          ? params->fineness
                          : coverage_choose_fineness(samples, flat, receiver, radius, error, COVERAGE_FINENESS_MAX);
     for (int a = 0; a < 2; a++)
-        plan->kinds.count[a] =
-            params->footprints ? params->footprints : count_kinds(variation(input, flat, &slopes, a), error);
+        plan->kinds.count[a] = plan->side == 1      ? 1
+                               : params->footprints ? params->footprints
+                                                    : count_kinds(variation(input, flat, &slopes, a), error);
     set_kinds(plan, &slopes);
     return make_footprints(plan, input, samples, flat, receiver, plan->side / input->setup->size * plan->fineness);
 }
@@ -232,5 +239,6 @@ void coverage_plan_finish(struct coverage_plan *plan)
 {
     for (int k = 0; k < COVERAGE_KINDS_MAX * COVERAGE_KINDS_MAX; k++)
         coverage_footprint_finish(plan->footprints + k);
+    free(plan->raster.cells);
     *plan = (struct coverage_plan){0};
 }

@@ -45,12 +45,14 @@ static bool resize(struct coverage_rays *rays, int columns, int rows, const stru
     coverage_rays_finish(rays);
     size_t count = (size_t)columns * (size_t)rows;
     rays->u = base_allocate(log, count * 4, sizeof(float), "rays");
+    if (!rays->u)
+        return false;
     rays->v = rays->u + count;
     rays->q = rays->v + count;
     rays->weight = rays->q + count;
     rays->columns = columns;
     rays->rows = rows;
-    return rays->u != NULL;
+    return true;
 }
 
 void coverage_rays_finish(struct coverage_rays *rays)

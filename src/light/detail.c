@@ -25,7 +25,7 @@ static void sample_water(const struct water_model *model, const struct water_set
 void light_samples_take(struct light_samples *samples, const struct water_model *model, const struct water_setup *setup,
                         double time)
 {
-    double step = setup->size / 256, bends[LIGHT_SAMPLES] = {0}, sums[2][LIGHT_SAMPLES] = {{0}};
+    double step = setup->size / 1024, bends[LIGHT_SAMPLES] = {0}, sums[2][LIGHT_SAMPLES] = {{0}};
     double curvature = 0, change = 0, (*arrays)[LIGHT_SAMPLES] = samples->arrays;
     for (int side = 0; side < 4; side++) { /* before and after, along x and along z */
         int axis = side / 2;
@@ -57,12 +57,12 @@ double light_power(double receiver, double ior)
 /* A cell's image is bent: its middle is off by the second difference of its vertices' places. A 24th of that, in texels
  * of the map, is b; the error was measured to be at most 5 b^1.2 (docs/accuracy.md). */
 int light_choose_mesh(const struct water_model *model, const struct water_setup *setup, double receiver, double ior,
-                      int map, double error)
+                      double blur, double error)
 {
     const int least = 32, step = 16;
     struct light_samples samples;
     light_samples_take(&samples, model, setup, 0);
-    double bend = fabs(receiver) * light_power(receiver, ior) * samples.change * setup->size * map / 24;
+    double bend = fabs(receiver) * light_power(receiver, ior) * samples.change * pow(setup->size, 2) / (24 * blur);
     double mesh = sqrt(bend / pow(error * MESH_SHARE / 5, 1 / 1.2));
     return (int)fmin(fmax(ceil(mesh / step) * step, least), LIGHT_MESH_MAX);
 }

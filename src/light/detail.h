@@ -20,8 +20,8 @@ void light_samples_take(struct light_samples *samples, const struct water_model 
 double light_power(double receiver, double ior);
 
 /* Vertices a side that a physical map of the receiver needs for an error of at most `error`; `setup` without its mesh.
- */
+ * `blur`: metres on the receiver that are seen as one: a texel, or the sun's radius there. */
 int light_choose_mesh(const struct water_model *model, const struct water_setup *setup, double receiver, double ior,
-                      int map, double error);
+                      double blur, double error);
 
 #endif

@@ -29,5 +29,5 @@ double optics_fresnel_reflectance(double cosine, double ior)
 
 double optics_transmittance(double absorption, double length)
 {
-    return exp(-absorption * length);
+    return exp(fmin(-absorption * length, OPTICS_GAIN_MOST));
 }

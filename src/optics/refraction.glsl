@@ -22,7 +22,9 @@ float optics_fresnel_reflectance(float cosine, float ior)
     return 0.5 * (across * across + along * along);
 }
 
+const float OPTICS_GAIN_MOST = 8.0;
+
 vec3 optics_transmittance(vec3 absorption, float length)
 {
-    return exp(-absorption * length);
+    return exp(min(-absorption * length, OPTICS_GAIN_MOST));
 }

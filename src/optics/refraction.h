@@ -19,7 +19,9 @@ void optics_reflect(const double to_light[3], const double normal[3], double out
 double optics_fresnel_reflectance(double cosine, double ior);
 
 /* Share of the light that is left after a path of that length in metres; absorption coefficient in 1/m (Bouguer 1729).
- */
+ * A negative length, a path that is shorter than another, gains light: at most exp(OPTICS_GAIN_MOST), so that sums stay
+ * finite in black water. */
+#define OPTICS_GAIN_MOST 8.0
 double optics_transmittance(double absorption, double length);
 
 #endif

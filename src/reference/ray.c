@@ -4,8 +4,7 @@
 
 #include <math.h>
 
-#define FLATTEST 1e-6     /* vertical part of a direction below which a ray leaves the scene */
-#define EXPONENT_MOST 8.0 /* of the gain by a shorter way through the water: keeps sums finite */
+#define FLATTEST 1e-6 /* vertical part of a direction below which a ray leaves the scene */
 
 /* The share of the light that goes on that way. */
 static double share_of(enum ray_kind kind, double cosine, double ior)
@@ -72,5 +71,5 @@ double ray_weight(const struct ray_medium *rays, const struct ray *ray, const st
     if (ray->kind == RAY_REFLECTED)
         return ray->weight; /* air absorbs nothing */
     double longer = hit->way - fabs(receiver) * rays->flat_way[RAY_REFRACTED][color];
-    return ray->weight * exp(fmin(-rays->absorption[color] * longer, EXPONENT_MOST));
+    return ray->weight * optics_transmittance(rays->absorption[color], longer);
 }

@@ -139,14 +139,14 @@ static bool draw_light(struct lighting *lighting, const struct task *task)
     if (!state)
         return false;
     timer_pass(lighting->timer, task->passes[PASS_LIGHT]);
-    resize_texture(lighting, task, &lit->texture, MAP_DRAWN, task->blur == 0);
+    resize_texture(lighting, task, &lit->texture, MAP_DRAWN, task->blur == 0 && task->texture);
     lit->shown = &lit->texture;
     if (!task->technique->draw(state, lighting->gl, &input, &lit->texture))
         return false;
     if (task->blur == 0)
         return true;
     timer_pass(lighting->timer, task->passes[PASS_BLUR]);
-    resize_texture(lighting, task, &lit->blurred, MAP_DRAWN, true);
+    resize_texture(lighting, task, &lit->blurred, MAP_DRAWN, task->texture);
     lit->shown = &lit->blurred;
     return blur_draw(&lighting->blur, lighting->gl, &lit->texture, task->blur, &lit->blurred);
 }

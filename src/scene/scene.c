@@ -157,9 +157,11 @@ struct water_setup scene_water_setup(const struct dpl_scene *scene, struct wave 
         .params = scene->model_params[scene->medium.model],
     };
     scene_receivers(scene, receivers);
+    double spread = sin(scene->sun.angular_radius * M_PI / 180) / (receivers[0] < 0 ? scene->medium.ior : 1);
+    double blur = fmax(setup.size / scene->caustics.map, fabs(receivers[0]) * spread);
     if (setup.mesh == 0)
-        setup.mesh = light_choose_mesh(water_models[scene->medium.model], &setup, receivers[0], scene->medium.ior,
-                                       scene->caustics.map, scene->caustics.error / 100);
+        setup.mesh = light_choose_mesh(water_models[scene->medium.model], &setup, receivers[0], scene->medium.ior, blur,
+                                       scene->caustics.error / 100);
     return setup;
 }
 
