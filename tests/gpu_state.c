@@ -71,8 +71,7 @@ static void disturb(struct fixture *fixture)
     gl->GenBuffers(1, &buffer);
     gl->BindBuffer(GL_ARRAY_BUFFER, buffer);
     gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
-    for (GLuint index = 0; index < 2; index++)
-        gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, index, buffer);
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, buffer);
     gl->GetError(); /* before OpenGL 4.3 and OpenGL ES 3.1 there are no such buffers */
     gl->GenRenderbuffers(1, &renderbuffer);
     gl->BindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
