@@ -154,7 +154,7 @@ refuses 2 'accepted: .png, .exr, .pfm)' map -o a.mp4
 refuses 2 '--bits: only a .png' map -o a.exr --bits 16
 refuses 2 '--white: only a .png' map -o a.pfm --white 2
 refuses 2 '--slice: ' map -o a.pfm --slice -1
-refuses 2 'slice: out of range: "2" (accepted: 0 to 1)' map -o a.pfm --set caustics.slices=2 --slice 2
+refuses 2 'slice: out of range: "2" (accepted: 0 to 1, as' map -o a.pfm --set caustics.slices=2 --slice 2
 refuses 2 'a video is one file' render -o a-%04d.mp4
 refuses 2 'even width and height' render -o a.mp4 --size 33x32
 refuses 2 'at most 50' render -o a.gif --fps 60

@@ -171,8 +171,8 @@ static void a_point_sun_is_the_plain_sum(void **state)
     check(expectations, sizeof expectations / sizeof *expectations, 1);
 }
 
-/* One footprint for the whole map, the mean over the water: the wider the sun, the more that shows. The sun's own width,
- * eight times it, and one whose map is made with larger texels. */
+/* One footprint for the whole map, the mean over the water: the wider the sun, the more that shows. The sun's own
+ * width, eight times it, and one whose map is made with larger texels. */
 static void a_disc_is_many_suns(void **state)
 {
     (void)state;

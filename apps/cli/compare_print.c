@@ -7,15 +7,20 @@ const char *compare_device(const struct compare *compare)
     return gl ? dpl_gl_describe(gl)->renderer : "CPU";
 }
 
-static void print_comparison(const struct comparison *comparison)
+/* Below a tenth of the reference's noise an error is not known. */
+#define KNOWN 0.1
+
+static void print_comparison(const struct comparison *comparison, double noise)
 {
+    char error[32];
     const struct dpl_measure *measure = &comparison->measure;
     if (!comparison->map) {
         printf("%-14s not shown: %s\n", comparison->technique.name, comparison->failure);
         return;
     }
-    printf("%-14s %8.3f %8.2f %8.4f ", comparison->technique.name, measure->error * 100, measure->p99 * 100,
-           measure->energy);
+    bool known = measure->error >= KNOWN * noise;
+    snprintf(error, sizeof error, known ? "%.3f" : "<%.3f", (known ? measure->error : KNOWN * noise) * 100);
+    printf("%-14s %8s %8.2f %8.4f ", comparison->technique.name, error, measure->p99 * 100, measure->energy);
     if (!comparison->fitted)
         printf("%8s ", "-");
     else
@@ -34,7 +39,7 @@ void compare_print(const struct compare *compare)
     printf("%-14s %8s %8s %8s %8s %8s %9s\n", "technique", "error %", "p99 %", "energy", "gain", "FLIP", "ms");
     for (int i = 0; i < compare->count; i++) {
         const struct comparison *comparison = compare->comparisons + i;
-        print_comparison(comparison);
+        print_comparison(comparison, compare->noise);
         fitted = fitted || (comparison->map && comparison->fitted);
     }
     if (fitted)

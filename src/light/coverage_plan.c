@@ -97,13 +97,18 @@ static int count_kinds(double change, double error)
     return count;
 }
 
+/* How near the crests' focus the receiver is: 1, in focus or beyond it. A low sun's way is longer and its image drawn
+ * out, so that it focuses sooner. */
+static double focusing_at(const struct light_samples *samples, const struct coverage_flat *flat, double receiver)
+{
+    double slant = pow(fabs(flat->q), 3);
+    return fmin(fabs(receiver) * light_power(receiver, flat->ior) * samples->curvature * slant, 1);
+}
+
 int coverage_choose_fineness(const struct light_samples *samples, const struct coverage_flat *flat, double receiver,
                              double radius, double error, int most)
 {
-    double slant = pow(fabs(flat->q), 3); /* of a low sun's light: its way is longer, and its image drawn out */
-    double focusing =
-        fmin(fabs(receiver) * light_power(receiver, flat->ior) * samples->curvature * slant, 1); /* 1: in focus */
-    double coarse = 0.075 * fmin(pow(radius, -1.75), pow(radius, 0.3)) * pow(focusing, 3.5);
+    double coarse = 0.075 * fmin(pow(radius, -1.75), pow(radius, 0.3)) * pow(focusing_at(samples, flat, receiver), 3.5);
     double order = radius < 0.7 ? 1.5 : 2.3, fineness = ceil(pow(coarse / error, 1 / order));
     const double seen = 0.6; /* fine texels: the ellipse of a smaller radius is all in one */
     return fineness <= 1 ? 1 : (int)fmin(fmax(fineness, ceil(seen / radius)), most);
@@ -223,14 +228,16 @@ bool coverage_plan_make(struct coverage_plan *plan, const struct light_input *in
     while (radius * plan->side / side > RADIUS_MAX && plan->side > 1)
         plan->side = (plan->side + 1) / 2;
     radius *= (double)plan->side / side;
+    double focusing = focusing_at(samples, flat, receiver);
     struct slopes slopes = measure_slopes(input, samples);
     plan->fineness = params->fineness
                          ? params->fineness
                          : coverage_choose_fineness(samples, flat, receiver, radius, error, COVERAGE_FINENESS_MAX);
     for (int a = 0; a < 2; a++)
-        plan->kinds.count[a] = plan->side == 1      ? 1
-                               : params->footprints ? params->footprints
-                                                    : count_kinds(variation(input, flat, &slopes, a), error);
+        plan->kinds.count[a] = plan->side == 1 ? 1
+                               : params->footprints
+                                   ? params->footprints
+                                   : count_kinds(variation(input, flat, &slopes, a) * focusing * focusing, error);
     set_kinds(plan, &slopes);
     return make_footprints(plan, input, samples, flat, receiver, plan->side / input->setup->size * plan->fineness);
 }

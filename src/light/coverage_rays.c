@@ -29,12 +29,15 @@ bool coverage_ray(const double sun[3], double ior, bool upwards, const double sl
 struct coverage_flat coverage_flat_water(const double sun[3], double ior, bool upwards)
 {
     struct coverage_flat flat = {.upwards = upwards, .ior = ior, .sun = {sun[0], sun[1], sun[2]}};
+    const double nothing = 1e-12; /* what rounding makes of the light that water of index 1 throws back */
     double uvq[3] = {0}, reflectance = optics_fresnel_reflectance(sun[1], ior);
     coverage_ray(sun, ior, upwards, (const double[2]){0, 0}, uvq);
     flat.u = uvq[0];
     flat.v = uvq[1];
     flat.q = uvq[2];
     flat.share = upwards ? reflectance : 1 - reflectance;
+    if (flat.share < nothing)
+        flat.share = 0;
     return flat;
 }
 

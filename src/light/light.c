@@ -26,7 +26,8 @@ const struct dpl_param light_settings_params[] = {
               "maps at even steps from the floor (slice 0) up towards the surface"),
     PARAM_FLOAT(
         struct light_settings, ceiling, 0, 0, 1000, "m",
-        "height above the water of a ceiling whose reflected light is mapped in place of the floor's; 0 = the floor"),
+        "height above the water of a ceiling whose reflected light is mapped in place of the floor's (pictures then "
+        "show it on the floor); 0 = the floor"),
     PARAM_FLOAT(struct light_settings, depth_bias, 0.6, 0, 10, "m",
                 "added to the depth by techniques that are tuned by eye (multi-sample)"),
     PARAM_INT(struct light_settings, blur, 0, 0, 5, "texels", "box blur of the finished map: mean of (2 blur)² texels"),

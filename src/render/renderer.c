@@ -97,8 +97,8 @@ struct dpl_image *dpl_renderer_slice(struct dpl_renderer *renderer, const struct
 {
     int slices = scene_receivers(scene, renderer->lighting.receivers);
     if (slice < 0 || slice >= slices) {
-        base_fail(renderer->log, DPL_REASON_RANGE, "slice: out of range: \"%d\" (accepted: 0 to %d)", slice,
-                  slices - 1);
+        base_fail(renderer->log, DPL_REASON_RANGE,
+                  "slice: out of range: \"%d\" (accepted: 0 to %d, as caustics.slices says)", slice, slices - 1);
         return NULL;
     }
     timer_frame(&renderer->timer);
