@@ -87,7 +87,8 @@ static inline void make_waves(struct fixture *fixture, const struct plane_wave *
     struct surface *surface = &fixture->surface;
     bool choppy = false;
     assert_true(count <= WAVES_MAX);
-    memmove(fixture->waves, waves, (size_t)count * sizeof *waves);
+    if (count > 0)
+        memmove(fixture->waves, waves, (size_t)count * sizeof *waves);
     fixture->wave_count = count;
     for (int w = 0; w < count; w++)
         choppy = choppy || waves[w].choppy != 0;

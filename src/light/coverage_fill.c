@@ -207,8 +207,8 @@ static void fill_blocks(const struct band *band)
             int low = band->first;
             if (cells->periodic)
                 low += band->side * (int)ceil(((double)least - band->first - band->count) / band->side);
-            for (; low <= most; low += band->side) {
-                if (low + band->count >= least)
+            for (; (float)low <= most; low += band->side) {
+                if ((float)(low + band->count) >= least)
                     fill_block(band, low, j, b);
                 if (!cells->periodic)
                     break;
