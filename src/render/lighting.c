@@ -21,6 +21,12 @@ static const char *const passes[LIT_MAPS][PASSES] = {
     {"other light", "other blur", "other upload", "other mipmaps"},
 };
 
+void lighting_drop(struct lighting *lighting, struct water_drop drop)
+{
+    if (lighting->drop_count < LIGHTING_DROPS_MAX)
+        lighting->drops[lighting->drop_count++] = drop;
+}
+
 /* Where the light is computed: on the CPU where asked, where OpenGL cannot, or where OpenGL itself runs there. */
 static bool light_on_cpu(const struct lighting *lighting, const struct light_technique *technique)
 {

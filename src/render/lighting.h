@@ -42,6 +42,9 @@ struct lighting {
     struct lit_map maps[LIT_MAPS];
 };
 
+/* Has a drop fall into the water of the next frame; one too many is lost. */
+void lighting_drop(struct lighting *lighting, struct water_drop drop);
+
 /* Makes the surface into `surface`, wherever it is computed. */
 bool lighting_make_surface(struct lighting *lighting, const struct dpl_scene *scene, double time);
 
