@@ -81,7 +81,7 @@ static void draw_ground(struct look_collard_state *state, const struct frame *fr
     program_float(gl, program, "floor_tint", look->floor_tint);
     program_vec3(gl, program, "water_color", look->water_color);
     texture_bind(gl, frame->sand, 0);
-    map_texture_bind(gl, frame->map, program, 1);
+    map_texture_bind(gl, frame->map, frame->windows, scene->settings.size, program, 1);
     program_int(gl, program, "sand", 0);
     gl->BindVertexArray(gl->empty_array);
     gl->DrawArrays(GL_TRIANGLES, 0, 6);

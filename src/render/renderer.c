@@ -162,6 +162,7 @@ static bool draw_frame(struct dpl_renderer *renderer, const struct dpl_scene *sc
         .gl = gl,
         .scene = scene,
         .surface = &renderer->lighting.surface_gpu,
+        .windows = renderer->lighting.windows,
         .sand = &renderer->sand.color,
         .timer = &renderer->timer,
     };

@@ -2,6 +2,7 @@
 
 #include "base/log.h"
 #include "light/detail.h"
+#include "optics/refraction.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -52,6 +53,7 @@ static const struct fixed_section fixed_sections[] = {
     {"sun", "the sun (multi-sample has its own, straight overhead)", optics_sun_params,
      offsetof(struct dpl_scene, sun)},
     {"water", "the water and its waves", water_medium_params, offsetof(struct dpl_scene, medium)},
+    {"sphere", "a ball in the water", water_sphere_params, offsetof(struct dpl_scene, sphere)},
     {"caustics", "the caustic map", light_settings_params, offsetof(struct dpl_scene, caustics)},
     {"camera", "the view", camera_params, offsetof(struct dpl_scene, camera)},
     {"floor", "the sand", floor_params, offsetof(struct dpl_scene, floor)},
@@ -152,14 +154,17 @@ struct water_setup scene_water_setup(const struct dpl_scene *scene, struct wave 
         .depth = scene->settings.depth,
         .loop = scene->settings.loop,
         .mesh = scene->caustics.mesh,
+        .seed = scene->settings.seed,
+        .sphere = &scene->sphere,
         .waves = waves,
         .wave_count = count,
         .params = scene->model_params[scene->medium.model],
+        .all_params = (const void *const *)scene->model_params,
     };
     scene_receivers(scene, receivers);
     double spread = sin(scene->sun.angular_radius * M_PI / 180) / (receivers[0] < 0 ? scene->medium.ior : 1);
     double blur = fmax(setup.size / scene->caustics.map, fabs(receivers[0]) * spread);
-    if (setup.mesh == 0)
+    if (setup.mesh == 0 && water_models[scene->medium.model]->shape(&setup).side == 0)
         setup.mesh = light_choose_mesh(water_models[scene->medium.model], &setup, receivers[0], scene->medium.ior, blur,
                                        scene->caustics.error / 100);
     return setup;
@@ -173,6 +178,26 @@ int scene_receivers(const struct dpl_scene *scene, double heights[LIGHT_SLICES_M
     for (int k = 0; k < count && scene->caustics.ceiling == 0; k++)
         heights[k] = -fmax(scene->settings.depth * (count - k) / count, nearest);
     return count;
+}
+
+void scene_windows(const struct dpl_scene *scene, bool periodic, struct ray_window windows[LIGHT_SLICES_MAX])
+{
+    const double up[3] = {0, 1, 0}, flattest = 1e-3; /* of a ray: lower ones leave the window where it is */
+    double receivers[LIGHT_SLICES_MAX], to_sun[3], ray[3], size = scene->settings.size;
+    double margin = periodic ? 0 : scene->caustics.margin * size;
+    bool follows = !periodic && scene->caustics.window == LIGHT_WINDOW_LIGHT;
+    int count = scene_receivers(scene, receivers);
+    optics_sun_direction(&scene->sun, to_sun);
+    for (int k = 0; k < count; k++) {
+        double along[2] = {0, 0};
+        if (receivers[k] > 0)
+            optics_reflect(to_sun, up, ray);
+        else
+            optics_refract(to_sun, up, scene->medium.ior, ray);
+        for (int a = 0; a < 2 && follows && fabs(ray[1]) > flattest; a++)
+            along[a] = ray[2 * a] / ray[1] * receivers[k];
+        windows[k] = (struct ray_window){along[0] - size / 2 - margin, along[1] - size / 2 - margin, size + 2 * margin};
+    }
 }
 
 struct dpl_entry dpl_water_model(int index)
