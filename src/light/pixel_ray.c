@@ -21,13 +21,16 @@ static const struct dpl_param params[] = {
     PARAM_END,
 };
 
-/* The middles of the texels of a map of the tile; `vertices`: a side of the surface's grid. */
-static struct vertical_points find_points(const struct light_input *input, int side, int vertices, bool periodic)
+/* The middles of the texels of a map; `vertices`: a side of the surface's grid. */
+static struct vertical_points find_points(const struct light_input *input, int slice, int side, int vertices,
+                                          bool periodic)
 {
     const struct vertical_ray *p = input->params;
-    double size = input->setup->size, step = size / side, first = -size / 2 + step / 2;
-    double spacing = size / (periodic ? vertices : vertices - 1);
-    return (struct vertical_points){side, first, first, step, spacing, (enum vertical_normals)p->normals};
+    const struct ray_window *window = input->windows + slice;
+    double step = window->side / side, apart = input->setup->size / (periodic ? vertices : vertices - 1);
+    return (struct vertical_points){
+        side, window->x + step / 2, window->z + step / 2, step, apart, (enum vertical_normals)p->normals,
+    };
 }
 
 static bool trace(void *state_, const struct light_input *input, struct light_map *map)
@@ -37,9 +40,10 @@ static bool trace(void *state_, const struct light_input *input, struct light_ma
         return false;
     const struct surface *surface = input->surface;
     for (int slice = 0; slice < map->slices; slice++) {
-        const struct vertical_points points = find_points(input, map->side, surface->columns, surface->periodic);
+        const struct vertical_points points = find_points(input, slice, map->side, surface->columns, surface->periodic);
         if (!vertical_ray_trace(state, input, &points, light_map_slice(map, slice)))
             return false;
+        vertical_ray_cut(input, slice, map);
     }
     return true;
 }
@@ -51,7 +55,8 @@ static bool draw(void *state_, struct dpl_gl *gl, const struct light_input *inpu
         return false;
     const struct surface_gpu *surface = input->surface_gpu;
     for (int slice = 0; slice < input->slices; slice++) {
-        const struct vertical_points points = find_points(input, map->width, surface->texels.width, surface->periodic);
+        const struct vertical_points points =
+            find_points(input, slice, map->width, surface->texels.width, surface->periodic);
         texture_draw_to_layer(gl, map, slice);
         program_use(gl, &state->program);
         vertical_ray_bind(state, gl, input, &state->program, &points);

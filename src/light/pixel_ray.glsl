@@ -1,4 +1,4 @@
-/* The GPU's half of pixel_ray.c; and of vertex_ray.c its vertices. */
+/* The GPU's half of pixel_ray.c. */
 #include "gpu/screen.glsl"
 
 #ifdef FRAGMENT
@@ -7,6 +7,7 @@ out float map;
 
 void main()
 {
-    map = brightness_at(target);
+    vec2 xz = square.xy + target * square.z;
+    map = in_water(xz) == xz ? brightness_at(xz) : 0.0;
 }
 #endif

@@ -35,12 +35,14 @@ static struct vertical_points find_vertices(const struct light_input *input, int
     return (struct vertical_points){cells + 1, -size / 2, -size / 2, step, step, VERTICAL_DIFFERENCES};
 }
 
-/* Where a map of the tile lies on the mesh, in cells: x and z of its corner, and its side. */
-static void find_square(const struct light_input *input, int cells, double square[3])
+/* Where a map lies on the mesh, in cells: x and z of its corner, and its side. */
+static void find_square(const struct light_input *input, int slice, int cells, double square[3])
 {
-    (void)input;
-    square[0] = square[1] = 0;
-    square[2] = cells;
+    const struct ray_window *window = input->windows + slice;
+    double size = input->setup->size;
+    square[0] = (window->x / size + 0.5) * cells;
+    square[1] = (window->z / size + 0.5) * cells;
+    square[2] = window->side / size * cells;
 }
 
 /* Step 2 for a row of texels between two rows of vertices, `part` of the way down. `first` and `step`: of the texels'
@@ -52,13 +54,14 @@ VECTOR_CLONES static void interpolate(const float *restrict above, const float *
     for (int i = 0; i < count; i++) {
         float place = first + (float)i * step;
         place = vector_clamp(place - floorf(place * turns) * end, 0.0f, end);
-        int cell = (int)place, next;
+        int cell = (int)place;
         cell = cell < cells ? cell : cells - 1;
-        next = cell + 1;
-        float u = place - (float)cell, v = part;
-        float upper = above[cell] + u * (above[next] - above[cell]) + v * (below[cell] - above[cell]);
-        float lower = below[next] + (1.0f - u) * (below[cell] - below[next]) + (1.0f - v) * (above[next] - below[next]);
-        out[i] = u + v > 1.0f ? lower : upper;
+        float u = place - (float)cell;
+        int second = u + part > 1.0f;
+        float at_right = second ? 1.0f - part : u, at_below = second ? 1.0f - u : part;
+        float corner = second ? below[cell + 1] : above[cell];
+        float at_corner = vector_positive(1.0f - at_right - at_below);
+        out[i] = at_corner * corner + at_right * above[cell + 1] + at_below * below[cell];
     }
 }
 
@@ -86,8 +89,9 @@ static bool trace(void *state_, const struct light_input *input, struct light_ma
         return false;
     for (int slice = 0; slice < map->slices; slice++) {
         double square[3];
-        find_square(input, cells, square);
+        find_square(input, slice, cells, square);
         trace_slice(&state->mesh, square, input->surface->periodic, map->side, light_map_slice(map, slice));
+        vertical_ray_cut(input, slice, map);
     }
     return true;
 }
@@ -109,14 +113,14 @@ static bool draw(void *state_, struct dpl_gl *gl, const struct light_input *inpu
     const struct gpu_program *program = &state->mesh_program;
     bool periodic = input->surface_gpu->periodic;
     int cells = count_cells(input->params, input->surface_gpu->texels.width, periodic);
-    if (!program_ready(gl, &state->program, "light/pixel_ray.glsl", "") ||
-        !program_ready(gl, &state->mesh_program, "light/vertex_ray.glsl", "") ||
+    if (!program_ready(gl, &state->program, "light/vertex_ray.glsl", "") ||
+        !program_ready(gl, &state->mesh_program, "light/vertex_ray_mesh.glsl", "") ||
         !vertical_ray_prepare(state, gl, input))
         return false;
     draw_vertices(state, gl, input, cells);
     for (int slice = 0; slice < input->slices; slice++) {
         double square[3];
-        find_square(input, cells, square);
+        find_square(input, slice, cells, square);
         texture_draw_to_layer(gl, map, slice);
         program_use(gl, program);
         texture_bind(gl, &state->vertices, 0);

@@ -1,28 +1,12 @@
-/* The GPU's half of vertex_ray.c: its mesh, over the triangles of which brightness is interpolated. */
+/* The GPU's half of vertex_ray.c: its vertices, a texel each. */
 #include "gpu/screen.glsl"
 
 #ifdef FRAGMENT
-uniform sampler2D vertices; /* their brightness, both edges of the mesh included */
-uniform vec3 square;        /* cells of the mesh: x and z where the target starts, and its side */
-uniform int periodic;
-out float map;
-
-float vertex(ivec2 place)
-{
-    return texelFetch(vertices, place, 0).x;
-}
+#include "light/vertical_ray.glsl"
+out float brightness;
 
 void main()
 {
-    vec2 cells = vec2(textureSize(vertices, 0) - 1);
-    vec2 place = square.xy + target * square.z;
-    place = periodic != 0 ? place - floor(place / cells) * cells : clamp(place, vec2(0.0), cells);
-    ivec2 cell = min(ivec2(place), ivec2(cells) - 1);
-    vec2 inside = place - vec2(cell);
-    bool second = inside.x + inside.y > 1.0;
-    vec2 weights = second ? 1.0 - inside.yx : inside;
-    float corner = vertex(cell + (second ? ivec2(1) : ivec2(0)));
-    map = corner * (1.0 - weights.x - weights.y) + vertex(cell + ivec2(1, 0)) * weights.x +
-          vertex(cell + ivec2(0, 1)) * weights.y;
+    brightness = brightness_at(square.xy + target * square.z);
 }
 #endif

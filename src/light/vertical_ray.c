@@ -222,6 +222,18 @@ bool vertical_ray_trace(struct vertical_ray_state *state, const struct light_inp
     return true;
 }
 
+void vertical_ray_cut(const struct light_input *input, int slice, const struct light_map *map)
+{
+    const struct ray_window *window = input->windows + slice;
+    double step = window->side / map->side, end = input->setup->size / 2;
+    float *texels = light_map_slice(map, slice);
+    for (int t = 0; !input->surface->periodic && t < map->side * map->side; t++) {
+        double x = window->x + (t % map->side + 0.5) * step, z = window->z + (t / map->side + 0.5) * step;
+        if (fabs(x) > end || fabs(z) > end)
+            texels[t] = 0;
+    }
+}
+
 void vertical_ray_finish(void *state_, struct dpl_gl *gl)
 {
     struct vertical_ray_state *state = state_;

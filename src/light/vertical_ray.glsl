@@ -8,7 +8,7 @@ uniform float apart;         /* m, from a point to where heights are taken for d
 uniform int by_differences;  /* 1: of heights; 0: from the surface's slopes */
 uniform vec3 square;         /* m: x and z where the target starts, and its side */
 
-/* A point moved into bounded water, past whose edge there is nothing. */
+/* A point moved into bounded water, past whose edge there is none. */
 vec2 in_water(vec2 xz)
 {
     return surface_periodic != 0 ? xz : clamp(xz, -0.5 * surface_size, 0.5 * surface_size);
@@ -39,10 +39,10 @@ vec2 find_slopes(vec2 xz)
     return vec2(along, across) / (after - before);
 }
 
-/* What is seen straight up from a place of the target, 0 to 1. */
-float brightness_at(vec2 target)
+/* What is seen straight up from a point. */
+float brightness_at(vec2 xz)
 {
-    vec2 slopes = find_slopes(square.xy + target * square.z);
+    vec2 slopes = find_slopes(xz);
     vec3 ray;
     bool leaves = optics_refract_out(vec3(0.0, 1.0, 0.0), normalize(vec3(-slopes.x, 1.0, -slopes.y)), ior, ray);
     float seen = texture(sun_picture, 0.5 + 0.5 * ray.xz / sun_reach).x;

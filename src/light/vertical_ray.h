@@ -74,6 +74,9 @@ bool vertical_ray_prepare(struct vertical_ray_state *state, struct dpl_gl *gl, c
 bool vertical_ray_trace(struct vertical_ray_state *state, const struct light_input *input,
                         const struct vertical_points *points, float *brightness);
 
+/* Makes the texels of a map dark that have no water above them. */
+void vertical_ray_cut(const struct light_input *input, int slice, const struct light_map *map);
+
 /* Sets the uniforms of light/vertical_ray.glsl in the program in use. */
 void vertical_ray_bind(const struct vertical_ray_state *state, struct dpl_gl *gl, const struct light_input *input,
                        const struct gpu_program *program, const struct vertical_points *points);
