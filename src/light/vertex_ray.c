@@ -142,6 +142,7 @@ const struct light_technique light_vertex_ray = {
     .params_size = sizeof(struct vertical_ray),
     .state_size = sizeof(struct vertical_ray_state),
     .channels = 1,
+    .vertical = true,
     .trace = trace,
     .draw = draw,
     .finish = vertical_ray_finish,
