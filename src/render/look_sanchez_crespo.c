@@ -32,7 +32,8 @@ static const struct dpl_param params[] = {
     PARAM_COLOR(struct look, zenith, 4, "colour of the sky straight above", 0.25, 0.5, 0.85),
     PARAM_COLOR(struct look, horizon, 4, "colour of the sky at the horizon", 0.75, 0.85, 0.92),
     PARAM_FLOAT(struct look, clouds, 0.7, 0, 1, "", "how white the clouds are"),
-    PARAM_INT(struct look, tiles, 0, 0, TILES_MAX, "", "of periodic water: tiles that are drawn on every side of the middle one"),
+    PARAM_INT(struct look, tiles, 0, 0, TILES_MAX, "",
+              "of periodic water: tiles that are drawn on every side of the middle one"),
     PARAM_END,
 };
 
