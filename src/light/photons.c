@@ -40,6 +40,7 @@ struct state {
 /* What is the same for all photons on one receiver. */
 struct task {
     const struct light_input *input;
+    struct tracing_surface surface;
     struct tracing_view view;
     double receiver; /* m */
     int side;        /* squares along a side of the surface; each sends `count` photons, to anywhere */
@@ -79,7 +80,7 @@ static void send(const struct task *task, const uint32_t counters[4], struct tra
     double numbers[4], place[2], size = input->surface->size;
     struct ray_point point;
     tracing_random(counters, numbers);
-    if (!tracing_surface_at(input->surface, (numbers[0] - 0.5) * size, (numbers[1] - 0.5) * size, &point))
+    if (!tracing_surface_at(&task->surface, (numbers[0] - 0.5) * size, (numbers[1] - 0.5) * size, &point))
         return;
     optics_disc_spread(numbers[2], numbers[3], place);
     optics_disc_place(&task->disc, place, point.to_light);
@@ -100,7 +101,8 @@ static bool trace(void *state_, const struct light_input *input, struct light_ma
 {
     struct state *state = state_;
     const struct photons *p = input->params;
-    struct task task = {.input = input, .disc = optics_sun_disc(input->sun)};
+    struct task task = {
+        .input = input, .surface = tracing_surface_of(input->surface), .disc = optics_sun_disc(input->sun)};
     ray_medium_start(&task.rays, input->medium, &task.disc);
     for (int slice = 0; slice < map->slices; slice++) {
         double flat[3], scale[3];

@@ -10,57 +10,75 @@
 #define LIGHT_MAX 0x1p20 /* that is added at a time: 2^24 such fill a sum */
 #define COPIES_MAX 1024  /* along an axis */
 
-/* The cell along one axis and the place in it, 0 to 1; false beyond a bounded surface. */
-static bool find_cell(const struct surface *surface, int vertices, double position, int cell[2], double *inside)
+struct tracing_surface tracing_surface_of(const struct surface *surface)
 {
-    double place = (position + surface->size / 2) / surface_spacing(surface), whole;
+    return (struct tracing_surface){surface->texels,
+                                    surface->shifts,
+                                    surface->columns,
+                                    surface->rows,
+                                    surface->periodic,
+                                    surface->size / 2,
+                                    1 / surface_spacing(surface)};
+}
+
+/* floor() without a call. */
+static inline double whole_of(double x)
+{
+    double whole = (double)(int64_t)x;
+    return whole > x ? whole - 1 : whole;
+}
+
+/* The cell along one axis and the place in it, 0 to 1; false beyond a bounded surface. */
+static inline bool find_cell(const struct tracing_surface *surface, int vertices, double position, int cell[2],
+                             double *inside)
+{
+    double place = (position + surface->half) * surface->per_spacing;
+    int last = surface->periodic ? vertices - 1 : vertices - 2;
     if (surface->periodic)
-        place -= vertices * floor(place / vertices);
+        place -= place >= 0 && place < vertices ? 0 : vertices * whole_of(place / vertices);
     else if (!(place >= 0 && place <= vertices - 1))
         return false;
-    whole = fmin(floor(place), surface->periodic ? vertices - 1 : vertices - 2);
-    cell[0] = (int)whole;
+    cell[0] = (int)place < last ? (int)place : last;
     cell[1] = cell[0] + 1 < vertices ? cell[0] + 1 : 0;
-    *inside = place - whole;
+    *inside = place - cell[0];
     return true;
 }
 
 /* Moves the point by the vertices' shifts, and measures how these stretch the cell. */
-static void shift_point(const struct surface *surface, const size_t corners[4], const double inside[2],
+static void shift_point(const struct tracing_surface *surface, const size_t corners[4], const double inside[2],
                         struct ray_point *point)
 {
-    double along_x[2], along_z[2], shift[2], spacing = surface_spacing(surface);
+    double along_x[2], along_z[2], shift[2];
     for (size_t k = 0; k < 2; k++) {
         double at[4];
         for (int i = 0; i < 4; i++)
             at[i] = (double)surface->shifts[corners[i] * 2 + k];
         double upper = at[0] + (at[1] - at[0]) * inside[0], lower = at[2] + (at[3] - at[2]) * inside[0];
         shift[k] = upper + (lower - upper) * inside[1];
-        along_x[k] = ((at[1] - at[0]) * (1 - inside[1]) + (at[3] - at[2]) * inside[1]) / spacing;
-        along_z[k] = (lower - upper) / spacing;
+        along_x[k] = ((at[1] - at[0]) * (1 - inside[1]) + (at[3] - at[2]) * inside[1]) * surface->per_spacing;
+        along_z[k] = (lower - upper) * surface->per_spacing;
     }
     point->x += shift[0];
     point->z += shift[1];
     point->area = (1 + along_x[0]) * (1 + along_z[1]) - along_x[1] * along_z[0];
 }
 
-bool tracing_surface_at(const struct surface *surface, double x, double z, struct ray_point *point)
+bool tracing_surface_at(const struct tracing_surface *surface, double x, double z, struct ray_point *point)
 {
     int columns[2], rows[2];
-    double inside[2], values[3];
+    double inside[2];
     if (!find_cell(surface, surface->columns, x, columns, inside) ||
         !find_cell(surface, surface->rows, z, rows, inside + 1))
         return false;
-    size_t corners[4];
+    size_t upper = (size_t)rows[0] * (size_t)surface->columns, lower = (size_t)rows[1] * (size_t)surface->columns;
+    size_t left = (size_t)columns[0], right = (size_t)columns[1];
+    const size_t corners[4] = {upper + left, upper + right, lower + left, lower + right};
+    double last = inside[0] * inside[1];
+    const double weights[4] = {1 - inside[0] - inside[1] + last, inside[0] - last, inside[1] - last, last};
+    double values[3] = {0};
     for (int i = 0; i < 4; i++)
-        corners[i] = (size_t)rows[i / 2] * (size_t)surface->columns + (size_t)columns[i % 2];
-    double weights[4] = {(1 - inside[0]) * (1 - inside[1]), inside[0] * (1 - inside[1]), (1 - inside[0]) * inside[1],
-                         inside[0] * inside[1]};
-    for (size_t k = 0; k < 3; k++) {
-        values[k] = 0;
-        for (int i = 0; i < 4; i++)
-            values[k] += weights[i] * (double)surface->texels[corners[i] * 3 + k];
-    }
+        for (int k = 0; k < 3; k++)
+            values[k] += weights[i] * (double)surface->texels[corners[i] * 3 + (size_t)k];
     point->x = x;
     point->z = z;
     point->height = values[0];

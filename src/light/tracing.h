@@ -9,9 +9,18 @@
 
 #include <stdint.h>
 
+/* A surface, ready to be looked up at many places. */
+struct tracing_surface {
+    const float *texels, *shifts; /* as in struct surface */
+    int columns, rows;
+    bool periodic;
+    double half, per_spacing; /* m, 1/m */
+};
+struct tracing_surface tracing_surface_of(const struct surface *surface);
+
 /* The surface by straight lines along x and z between its vertices, at a place (m) of the surface at rest; to_light
  * stays. False beyond the edge of a bounded surface. */
-bool tracing_surface_at(const struct surface *surface, double x, double z, struct ray_point *point);
+bool tracing_surface_at(const struct tracing_surface *surface, double x, double z, struct ray_point *point);
 
 /* The square of a receiver that a slice's map shows. Places on it are counted in texels from its first corner. */
 struct tracing_view {
