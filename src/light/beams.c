@@ -223,7 +223,7 @@ static bool trace(void *state_, const struct light_input *input, struct light_ma
         return false;
     ray_medium_start(&task.rays, input->medium, &task.disc);
     for (int slice = 0; slice < map->slices; slice++) {
-        task.view = tracing_view_of(input, map->side, slice);
+        task.view = tracing_view_of(input, input->surface->periodic, map->side, slice);
         task.receiver = input->receivers[slice];
         if (!tracing_sums_start(&state->sums, map->side, input->log))
             return false;

@@ -206,7 +206,7 @@ static bool trace(void *state_, const struct light_input *input, struct light_ma
     for (int slice = 0; slice < map->slices; slice++) {
         task.receiver = input->receivers[slice];
         task.kind = ray_kind_of(task.receiver);
-        task.view = tracing_view_of(input, map->side, slice);
+        task.view = tracing_view_of(input, input->surface->periodic, map->side, slice);
         aim(&task);
         useful += (double)trace_slice(&task, map, slice);
     }

@@ -106,7 +106,7 @@ static bool trace(void *state_, const struct light_input *input, struct light_ma
     ray_medium_start(&task.rays, input->medium, &task.disc);
     for (int slice = 0; slice < map->slices; slice++) {
         double flat[3], scale[3];
-        task.view = tracing_view_of(input, map->side, slice);
+        task.view = tracing_view_of(input, input->surface->periodic, map->side, slice);
         task.receiver = input->receivers[slice];
         task.side = (int)fmin(ceil(input->surface->size * task.view.texels_a_meter), SIDE_MAX);
         if (!tracing_sums_start(&state->sums, map->side, input->log))

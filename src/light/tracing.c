@@ -90,15 +90,14 @@ bool tracing_surface_at(const struct tracing_surface *surface, double x, double 
     return true;
 }
 
-struct tracing_view tracing_view_of(const struct light_input *input, int side, int slice)
+struct tracing_view tracing_view_of(const struct light_input *input, bool periodic, int side, int slice)
 {
-    double size = input->setup->size;
-    (void)slice;
+    const struct ray_window *window = input->windows + slice;
     return (struct tracing_view){
         .side = side,
-        .corner = {-size / 2, -size / 2},
-        .texels_a_meter = side / size,
-        .period = input->model->periodic ? side : 0,
+        .corner = {window->x, window->z},
+        .texels_a_meter = side / window->side,
+        .period = periodic ? input->setup->size / window->side * side : 0,
     };
 }
 

@@ -29,7 +29,7 @@ struct tracing_view {
     double texels_a_meter; /* along a side */
     double period;         /* texels after which a periodic surface's light is the same; 0: never */
 };
-struct tracing_view tracing_view_of(const struct light_input *input, int side, int slice);
+struct tracing_view tracing_view_of(const struct light_input *input, bool periodic, int side, int slice);
 
 /* How many copies of what lies from `least` to `most` (texels) along an axis the view shows, a period apart; `first`:
  * how far the first is moved. */

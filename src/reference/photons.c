@@ -17,6 +17,22 @@ size_t photons_sum_count(const struct photons *photons)
     return (size_t)HALVES * (size_t)photons->receiver_count * (size_t)photons->side * (size_t)photons->side * 3;
 }
 
+static struct ray_window window_of(const struct photons_task *task, int receiver)
+{
+    double size = task->setup->size;
+    return task->windows ? task->windows[receiver] : (struct ray_window){-size / 2, -size / 2, size};
+}
+
+/* Mean weights of flat water, of which a window larger than the tile needs more. */
+static void measure_flat(struct photons *photons, const struct photons_task *task)
+{
+    for (int r = 0; r < task->receiver_count; r++) {
+        ray_flat_mean(&photons->rays, &photons->disc, task->receivers[r], photons->flat[r]);
+        for (int c = 0; c < 3; c++)
+            photons->flat[r][c] *= pow(window_of(task, r).side / task->setup->size, 2);
+    }
+}
+
 bool photons_begin(struct photons *photons, const struct photons_task *task, const struct dpl_log *log)
 {
     if (photons->side != task->side || photons->receiver_count != task->receiver_count)
@@ -37,8 +53,7 @@ bool photons_begin(struct photons *photons, const struct photons_task *task, con
     }
     memset(photons->sums, 0, photons_sum_count(photons) * sizeof *photons->sums);
     ray_medium_start(&photons->rays, task->medium, &photons->disc);
-    for (int r = 0; r < task->receiver_count; r++)
-        ray_flat_mean(&photons->rays, &photons->disc, task->receivers[r], photons->flat[r]);
+    measure_flat(photons, task);
     return true;
 }
 
@@ -71,11 +86,11 @@ static double draw(uint64_t stratum, uint64_t pass, int dimension)
     return (double)((start + pass * steps[dimension]) >> 11) * 0x1p-53;
 }
 
-/* The texel along one side of the map; -1 beyond it. */
-static int texel_at(const struct photons_task *task, double position)
+/* The texel along one side of the map that starts at `start` and is `side` wide; -1 beyond it. */
+static int texel_at(const struct photons_task *task, double position, double start, double side)
 {
-    double place = position / task->setup->size + 0.5;
-    if (task->model->periodic)
+    double place = (position - start) / side;
+    if (task->model->shape(task->setup).periodic)
         place -= floor(place);
     if (!(place >= 0 && place <= 1))
         return -1;
@@ -89,7 +104,8 @@ static void land(const struct photons *photons, const struct photons_task *task,
     struct ray_hit hit;
     if (!ray_meet(ray, point, task->receivers[receiver], &hit))
         return;
-    int i = texel_at(task, hit.x), j = texel_at(task, hit.z);
+    struct ray_window window = window_of(task, receiver);
+    int i = texel_at(task, hit.x, window.x, window.side), j = texel_at(task, hit.z, window.z, window.side);
     if (i < 0 || j < 0)
         return;
     uint64_t *texel = sums + (((size_t)receiver * (size_t)task->side + (size_t)j) * (size_t)task->side + (size_t)i) * 3;
