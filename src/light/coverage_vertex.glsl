@@ -1,12 +1,15 @@
 /* Where the light of the surface's vertices meets a receiver. */
 #include "optics/refraction.glsl"
 uniform sampler2D rays;  /* of coverage_rays.glsl */
+uniform sampler2D shifts; /* m along x and z, of a choppy surface's vertices */
+uniform int choppy;
 uniform vec4 flat_water; /* u, v; q, the length of light's path for each metre of height, with its sign */
 uniform vec3 absorption; /* 1/m; 0 above the surface */
 uniform float receiver;  /* m, its height */
 
 struct vertex_light {
-    vec2 moved; /* m, from where flat water has it */
+    vec2 moved; /* m, from where flat water has it straight below the vertex */
+    vec2 shift; /* m, of the vertex itself from where it rests */
     vec3 weight;
 };
 
@@ -21,5 +24,6 @@ vertex_light find_light(ivec2 vertex)
     float height = receiver > 0.0 ? min(ray.z, receiver) : max(ray.z, receiver);
     float path = abs(receiver - height) * sqrt(1.0 + dot(uv, uv)) - abs(receiver * flat_water.z);
     vec2 moved = ray.xy * (receiver - height) - flat_water.xy * height;
-    return vertex_light(moved, ray.w * optics_transmittance(absorption, path));
+    vec2 shift = choppy != 0 ? texelFetch(shifts, vertex, 0).xy : vec2(0.0);
+    return vertex_light(moved, shift, ray.w * optics_transmittance(absorption, path));
 }

@@ -51,19 +51,21 @@ static const struct dpl_param params[] = {
 struct wavefront_receiver wavefront_receiver_find(const struct light_input *input, int slice, int side, int cells,
                                                   bool periodic)
 {
+    const struct ray_window *window = input->windows + slice;
     double sun[3], height = input->receivers[slice], size = input->setup->size;
     optics_sun_direction(input->sun, sun);
     struct wavefront_receiver receiver = {
         .height = height,
         .flat = coverage_flat_water(sun, input->medium->ior, height > 0),
-        .scale = side / size,
-        .cell = (double)side / cells,
+        .scale = side / window->side,
+        .cell = size / cells * side / window->side,
         .period = periodic ? side : 0,
     };
     const double farthest = 1e7; /* texels: whatever lies there is not seen */
-    const double slant[2] = {receiver.flat.u, receiver.flat.v};
+    const double first[2] = {-size / 2 - window->x + receiver.flat.u * height,
+                             -size / 2 - window->z + receiver.flat.v * height}; /* m */
     for (int axis = 0; axis < 2; axis++) {
-        double offset = slant[axis] * height * receiver.scale;
+        double offset = first[axis] * receiver.scale;
         if (periodic)
             offset -= floor(offset / receiver.period) * receiver.period;
         receiver.offset[axis] = fmin(fmax(offset, -farthest), farthest);

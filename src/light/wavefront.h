@@ -34,8 +34,8 @@ struct wavefront_state {
     float *ranges; /* (cells + 1) × 2: the smallest and the largest z of a row of vertices, texels */
     int cells;     /* a side, that there is room for */
     /* GPU */
-    struct gpu_program mesh_program, rays_program, programs[WAVEFRONT_VARIANTS];
-    struct surface_gpu mesh_gpu; /* as `mesh` */
+    struct gpu_program rays_program, programs[WAVEFRONT_VARIANTS];
+    struct surface_gpu mesh_gpu; /* as `mesh`; its programs make it from the surface */
     struct gpu_texture bent;     /* of coverage_rays.glsl */
     struct light_samples samples;
 };

@@ -34,7 +34,9 @@ static enum wavefront_variant variant_of(const struct dpl_gl *gl, const struct w
 static bool build_programs(struct wavefront_state *state, struct dpl_gl *gl, enum wavefront_variant variant)
 {
     struct gpu_program *program = state->programs + variant;
-    if (!program_ready(gl, &state->mesh_program, "light/wavefront_mesh.glsl", "") ||
+    struct surface_gpu *mesh = &state->mesh_gpu;
+    if (!program_ready(gl, &mesh->program, "light/wavefront_mesh.glsl", "") ||
+        !program_ready(gl, &mesh->shift_program, "light/wavefront_mesh.glsl", "#define SHIFTS\n") ||
         !program_ready(gl, &state->rays_program, "light/coverage_rays.glsl", ""))
         return false;
     if (variant == WAVEFRONT_DERIVATIVES)
@@ -44,20 +46,28 @@ static bool build_programs(struct wavefront_state *state, struct dpl_gl *gl, enu
     return program_geometry_ready(gl, program, "light/wavefront_geometry.glsl", "");
 }
 
-/* The surface at the vertices of a mesh of that many cells a side. */
-static void draw_mesh(struct wavefront_state *state, struct dpl_gl *gl, const struct surface_gpu *surface, int cells)
+static void draw_numbers(struct dpl_gl *gl, const struct gpu_program *program, const struct surface_gpu *surface,
+                         GLenum format, int cells, struct gpu_texture *numbers)
 {
-    const struct gpu_program *program = &state->mesh_program;
-    struct surface_gpu *mesh = &state->mesh_gpu;
     int side = surface->periodic ? cells : cells + 1;
-    mesh->size = surface->size;
-    mesh->periodic = surface->periodic;
-    texture_resize(gl, &mesh->texels, GL_RGBA32F, side, side, TEXTURE_CLAMP, TEXTURE_NEAREST);
-    texture_draw_to(gl, &mesh->texels);
+    texture_resize(gl, numbers, format, side, side, TEXTURE_CLAMP, TEXTURE_NEAREST);
+    texture_draw_to(gl, numbers);
     program_use(gl, program);
     surface_gpu_bind(gl, surface, program, 0);
     program_float(gl, program, "stride", (double)cells_of(surface) / cells);
     gpu_draw_screen(gl);
+}
+
+/* The surface at the vertices of a mesh of that many cells a side. */
+static void draw_mesh(struct wavefront_state *state, struct dpl_gl *gl, const struct surface_gpu *surface, int cells)
+{
+    struct surface_gpu *mesh = &state->mesh_gpu;
+    mesh->size = surface->size;
+    mesh->periodic = surface->periodic;
+    mesh->choppy = surface->choppy;
+    draw_numbers(gl, &mesh->program, surface, GL_RGBA32F, cells, &mesh->texels);
+    if (surface->choppy)
+        draw_numbers(gl, &mesh->shift_program, surface, GL_RG32F, cells, &mesh->shifts);
 }
 
 /* How far light strays from where flat water has it, in texels: the most at some places of the water, and more. */
@@ -69,8 +79,8 @@ static double find_stray(const struct light_samples *samples, const struct wavef
         if (!coverage_ray(receiver->flat.sun, receiver->flat.ior, receiver->flat.upwards, slopes, uvq))
             continue;
         way = way * height > 0 ? way : 0;
-        most = fmax(most, fabs(uvq[0] * way - receiver->flat.u * height));
-        most = fmax(most, fabs(uvq[1] * way - receiver->flat.v * height));
+        most = fmax(most, fabs(uvq[0] * way - receiver->flat.u * height + samples->shifts[0][i]));
+        most = fmax(most, fabs(uvq[1] * way - receiver->flat.v * height + samples->shifts[1][i]));
     }
     return most * STRAY_MARGIN * receiver->scale + receiver->cell;
 }
@@ -79,12 +89,17 @@ static void bind_mesh(struct dpl_gl *gl, const struct light_input *input, const 
                       const struct gpu_texture *bent)
 {
     const struct wavefront *params = input->params;
+    const struct surface_gpu *surface = input->surface_gpu;
     const struct wavefront_receiver *receiver = drawing->receiver;
     const struct gpu_program *program = drawing->program;
     const float flat[4] = {(float)receiver->flat.u, (float)receiver->flat.v, (float)receiver->flat.q, 0};
     program_use(gl, program);
     texture_bind(gl, bent, 0);
     program_int(gl, program, "rays", 0);
+    program_int(gl, program, "choppy", surface->choppy);
+    program_int(gl, program, "shifts", surface->choppy ? 1 : 0);
+    if (surface->choppy)
+        texture_bind(gl, &surface->shifts, 1);
     program_vec4s(gl, program, "flat_water", 1, flat);
     program_vec3(gl, program, "absorption", receiver->absorption);
     program_float(gl, program, "receiver", receiver->height);
@@ -140,16 +155,16 @@ static void draw_slice(struct wavefront_state *state, struct dpl_gl *gl, const s
                        struct gpu_texture *map, int slice)
 {
     const struct wavefront *params = input->params;
-    bool periodic = input->surface_gpu->periodic;
     int cells = cells_of(input->surface_gpu);
-    const struct wavefront_receiver receiver = wavefront_receiver_find(input, slice, map->width, cells, periodic);
+    const struct wavefront_receiver receiver =
+        wavefront_receiver_find(input, slice, map->width, cells, input->surface_gpu->periodic);
     enum wavefront_variant variant = variant_of(gl, params);
     const struct drawing drawing = {
         .receiver = &receiver,
         .program = state->programs + variant,
         .side = map->width,
         .cells = cells,
-        .stray = periodic ? find_stray(&state->samples, &receiver) : INFINITY,
+        .stray = receiver.period > 0 ? find_stray(&state->samples, &receiver) : INFINITY,
         .triangles = variant == WAVEFRONT_NEIGHBOURS,
     };
     texture_draw_to_layer(gl, map, slice);
@@ -189,7 +204,6 @@ bool wavefront_draw(void *state_, struct dpl_gl *gl, const struct light_input *i
 
 void wavefront_gpu_finish(struct wavefront_state *state, struct dpl_gl *gl)
 {
-    program_finish(gl, &state->mesh_program);
     program_finish(gl, &state->rays_program);
     for (int i = 0; i < WAVEFRONT_VARIANTS; i++)
         program_finish(gl, state->programs + i);

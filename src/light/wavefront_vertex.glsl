@@ -14,7 +14,7 @@ struct mesh_vertex {
 mesh_vertex find_vertex(ivec2 index)
 {
     vertex_light light = find_light(index);
-    vec2 before = vec2(index) * cell;
+    vec2 before = vec2(index) * cell + light.shift * texels_a_meter;
     vec3 weight = weights != 0 ? light.weight : vec3(greaterThan(light.weight, vec3(0.0)));
     return mesh_vertex(before, before + light.moved * texels_a_meter, weight);
 }

@@ -21,6 +21,12 @@ static const char *const passes[LIT_MAPS][PASSES] = {
     {"other light", "other blur", "other upload", "other mipmaps"},
 };
 
+void lighting_drop(struct lighting *lighting, struct water_drop drop)
+{
+    if (lighting->drop_count < LIGHTING_DROPS_MAX)
+        lighting->drops[lighting->drop_count++] = drop;
+}
+
 /* Where the light is computed: on the CPU where asked, where OpenGL cannot, or where OpenGL itself runs there. */
 static bool light_on_cpu(const struct lighting *lighting, const struct light_technique *technique)
 {
@@ -45,19 +51,36 @@ static bool check_side(const struct lighting *lighting, const char *what, int si
                      side, lighting->gl->info.texture_max);
 }
 
+static bool ready_water(struct lighting *lighting, const struct dpl_scene *scene, double time)
+{
+    const struct water_model *model = water_models[scene->medium.model];
+    struct water_setup *setup = &lighting->setup;
+    *setup = scene_water_setup(scene, lighting->waves);
+    setup->memory = &lighting->memory;
+    setup->drops = lighting->drops;
+    setup->drop_count = lighting->drop_count;
+    lighting->drop_count = 0;
+    scene_windows(scene, model->shape(setup).periodic, lighting->windows);
+    return water_prepare(model, setup, time, lighting->log);
+}
+
 static bool make_surface(struct lighting *lighting, const struct dpl_scene *scene, double time, bool on_cpu,
                          bool on_gpu)
 {
     const struct water_model *model = water_models[scene->medium.model];
-    struct water_setup setup = scene_water_setup(scene, lighting->waves);
+    const struct water_setup *setup = &lighting->setup;
     timer_pass(lighting->timer, "surface");
     if (lighting->gl)
         gpu_enter(lighting->gl);
-    if (on_gpu && !check_side(lighting, "the water's grid", model->grid(&setup)))
+    if (!ready_water(lighting, scene, time))
+        return false;
+    if (!on_cpu && !on_gpu)
+        return true;
+    if (on_gpu && !check_side(lighting, "the water's grid", model->shape(setup).side))
         return false;
     if (on_gpu && !on_cpu && surface_on_gpu(lighting, scene))
-        return surface_gpu_evaluate(lighting->gl, &lighting->surface_gpu, model, &setup, time);
-    if (!water_evaluate(model, &setup, time, &lighting->surface, lighting->log))
+        return surface_gpu_evaluate(lighting->gl, &lighting->surface_gpu, model, setup, time);
+    if (!water_evaluate(model, setup, time, &lighting->surface, lighting->log))
         return false;
     if (on_gpu)
         surface_gpu_upload(lighting->gl, &lighting->surface_gpu, &lighting->surface);
@@ -83,15 +106,17 @@ static void *technique_state(struct lighting *lighting, const struct task *task)
 static struct light_input light_input(struct lighting *lighting, const struct task *task)
 {
     const struct dpl_scene *scene = task->scene;
-    lighting->setup = scene_water_setup(scene, lighting->waves);
+    const struct water_model *model = water_models[scene->medium.model];
+    bool flat = task->technique->vertical && model->shape(&lighting->setup).choppy;
     return (struct light_input){
-        .surface = &lighting->surface,
-        .surface_gpu = &lighting->surface_gpu,
-        .model = water_models[scene->medium.model],
+        .surface = flat ? &lighting->flat : &lighting->surface,
+        .surface_gpu = flat ? &lighting->flat_gpu : &lighting->surface_gpu,
+        .model = model,
         .setup = &lighting->setup,
         .time = task->time,
         .receivers = lighting->receivers,
         .slices = scene_receivers(scene, lighting->receivers),
+        .windows = lighting->windows,
         .sun = &scene->sun,
         .medium = &scene->medium,
         .settings = &scene->caustics,
@@ -124,7 +149,7 @@ static void resize_texture(struct lighting *lighting, const struct task *task, s
                            enum map_origin origin, bool finished)
 {
     const struct dpl_scene *scene = task->scene;
-    bool periodic = task->technique->physical && water_models[scene->medium.model]->periodic;
+    bool periodic = task->technique->physical && water_models[scene->medium.model]->shape(&lighting->setup).periodic;
     double receivers[LIGHT_SLICES_MAX];
     map_texture_resize(lighting->gl, texture, scene->caustics.map, task->technique->channels,
                        scene_receivers(scene, receivers), origin, finished, periodic);
@@ -151,9 +176,22 @@ static bool draw_light(struct lighting *lighting, const struct task *task)
     return blur_draw(&lighting->blur, lighting->gl, &lit->texture, task->blur, &lit->blurred);
 }
 
+/* The surface as a technique that looks straight up sees it. */
+static bool flatten(struct lighting *lighting, const struct task *task)
+{
+    const struct water_model *model = water_models[task->scene->medium.model];
+    if (!task->technique->vertical || !model->shape(&lighting->setup).choppy)
+        return true;
+    timer_pass(lighting->timer, task->passes[PASS_LIGHT]);
+    return task->lit->on_cpu ? surface_flatten(&lighting->surface, &lighting->flat, lighting->log)
+                             : surface_gpu_flatten(lighting->gl, &lighting->surface_gpu, &lighting->flat_gpu);
+}
+
 static bool make_map(struct lighting *lighting, const struct task *task)
 {
     struct lit_map *lit = task->lit;
+    if (!flatten(lighting, task))
+        return false;
     if (lit->on_cpu ? !trace_light(lighting, task) : !draw_light(lighting, task))
         return false;
     if (task->texture && lit->on_cpu) {
@@ -217,8 +255,12 @@ void lighting_finish(struct lighting *lighting)
     }
     blur_finish(&lighting->blur, gl);
     surface_finish(&lighting->surface);
-    if (gl)
+    surface_finish(&lighting->flat);
+    water_memory_finish(&lighting->memory, gl);
+    if (gl) {
         surface_gpu_finish(gl, &lighting->surface_gpu);
+        surface_gpu_finish(gl, &lighting->flat_gpu);
+    }
     for (int i = 0; i < LIT_MAPS; i++) {
         light_map_finish(&lighting->maps[i].map);
         if (gl) {
