@@ -256,6 +256,7 @@ const struct light_technique light_beams = {
     .state_size = sizeof(struct state),
     .channels = 3,
     .physical = true,
+    .energy = 0.1,
     .reflects = true,
     .trace = trace,
     .draw = draw,

@@ -239,6 +239,7 @@ const struct light_technique light_hemisphere = {
     .state_size = sizeof(struct state),
     .channels = 3,
     .physical = true,
+    .energy = 0.05,
     .reflects = true,
     .trace = trace,
     .finish = finish,
