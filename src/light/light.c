@@ -4,10 +4,16 @@
 
 #include <stdlib.h>
 
-extern const struct light_technique light_coverage, light_multi_sample, light_reference, light_wavefront;
+extern const struct light_technique light_coverage, light_multi_sample, light_pixel_ray, light_reference,
+    light_vertex_ray, light_wavefront;
 
-const struct light_technique *const light_techniques[] = {&light_coverage, &light_multi_sample, &light_reference,
-                                                          &light_wavefront, NULL};
+const struct light_technique *const light_techniques[] = {&light_coverage,
+                                                          &light_multi_sample,
+                                                          &light_pixel_ray,
+                                                          &light_vertex_ray,
+                                                          &light_wavefront,
+                                                          &light_reference,
+                                                          NULL};
 
 const char *light_technique_name(int i)
 {
