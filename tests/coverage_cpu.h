@@ -133,17 +133,27 @@ static inline void sample_waves(const struct water_setup *setup, double time, st
     }
 }
 
+static inline struct water_shape wave_shape(const struct water_setup *setup)
+{
+    const struct fixture *fixture = setup->params;
+    return (struct water_shape){.periodic = fixture->surface.periodic};
+}
+
 /* Traces the first `slices` receivers; every texel is finite and not negative. */
 static inline void trace(struct fixture *fixture, int side, int slices)
 {
-    const struct water_model model = {.name = "waves", .sample = sample_waves};
+    const struct water_model model = {.name = "waves", .shape = wave_shape, .sample = sample_waves};
     const struct water_setup setup = {.size = SIZE, .params = fixture};
+    struct ray_window windows[LIGHT_SLICES_MAX];
+    for (int k = 0; k < slices; k++)
+        windows[k] = (struct ray_window){-SIZE / 2, -SIZE / 2, SIZE};
     const struct light_input input = {
         .surface = &fixture->surface,
         .model = &model,
         .setup = &setup,
         .receivers = fixture->receivers,
         .slices = slices,
+        .windows = windows,
         .sun = &fixture->sun,
         .medium = &fixture->medium,
         .settings = &fixture->settings,

@@ -52,15 +52,26 @@ static void sample_sliding(const struct water_setup *setup, double time, struct 
     }
 }
 
+static struct water_shape sliding_shape(const struct water_setup *setup)
+{
+    (void)setup;
+    return (struct water_shape){.periodic = true, .choppy = true};
+}
+
 static void water_that_slides_stays_flat(void **state)
 {
-    static const struct water_model sliding = {
-        .name = "sliding", .periodic = true, .choppy = true, .sample = sample_sliding};
+    static const struct water_model sliding = {.name = "sliding", .shape = sliding_shape, .sample = sample_sliding};
     struct fixture *fixture = *state;
     fixture->task.model = &sliding;
     fixture->sun.elevation = 50;
     trace(fixture, 100);
     expect_ones(fixture, 0, 0.18);
+}
+
+static struct water_shape bounded_shape(const struct water_setup *setup)
+{
+    (void)setup;
+    return (struct water_shape){0};
 }
 
 static void sample_flat(const struct water_setup *setup, double time, struct water_points *points)
@@ -74,7 +85,7 @@ static void sample_flat(const struct water_setup *setup, double time, struct wat
 /* The sun in +x: no light comes in at that edge of a bounded tile, and what leaves at the other is lost. */
 static void bounded_water_has_edges(void **state)
 {
-    static const struct water_model bounded = {.name = "bounded", .sample = sample_flat};
+    static const struct water_model bounded = {.name = "bounded", .shape = bounded_shape, .sample = sample_flat};
     struct fixture *fixture = *state;
     fixture->task.model = &bounded;
     fixture->sun = (struct optics_sun){45, 0, 0};
@@ -96,7 +107,7 @@ static void sample_low(const struct water_setup *setup, double time, struct wate
 
 static void water_beyond_its_receiver_lights_it_straight(void **state)
 {
-    static const struct water_model low = {.name = "low", .sample = sample_low};
+    static const struct water_model low = {.name = "low", .shape = bounded_shape, .sample = sample_low};
     struct fixture *fixture = *state;
     fixture->task.model = &low;
     fixture->sun = (struct optics_sun){45, 20, 0};

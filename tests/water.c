@@ -31,6 +31,7 @@ struct water {
     const struct water_model *model;
     struct wave waves[WATER_WAVES_MAX];
     struct water_setup setup;
+    struct water_memory memory;
     struct surface surface;
     double time;
 };
@@ -40,19 +41,22 @@ static void fill(struct water *water, const char *text, double time)
     *water = (struct water){.scene = support_scene(text, NULL), .time = time};
     water->model = water_models[water->scene->medium.model];
     water->setup = scene_water_setup(water->scene, water->waves);
+    water->setup.memory = &water->memory;
+    assert_true(water_prepare(water->model, &water->setup, time, NULL));
     assert_true(water_evaluate(water->model, &water->setup, time, &water->surface, NULL));
 }
 
 static void finish(struct water *water)
 {
     surface_finish(&water->surface);
+    water_memory_finish(&water->memory, NULL);
     dpl_scene_destroy(water->scene);
 }
 
 static void every_water(void (*check)(struct water *water))
 {
     static const double times[] = {0, 1.3, 250};
-    bool met[SCENE_MODELS_MAX] = {false};
+    bool met[WATER_MODELS_MAX] = {false};
     for (int i = 0; i < SCENES; i++) {
         for (int k = 0; k < 3; k++) {
             struct water water;
@@ -90,10 +94,11 @@ static void largest(const struct water *water, double of[2])
 static void check_vertices(struct water *water)
 {
     const struct surface *surface = &water->surface;
-    int vertices = water->model->grid(&water->setup);
+    struct water_shape shape = water->model->shape(&water->setup);
+    int vertices = shape.side;
     assert_int_equal(surface->columns, vertices);
     assert_int_equal(surface->rows, vertices);
-    assert_int_equal(surface->periodic, water->model->periodic);
+    assert_int_equal(surface->periodic, shape.periodic);
     double spacing = water->setup.size / (surface->periodic ? vertices : vertices - 1), scale[2];
     assert_true(fabs(surface_spacing(surface) - spacing) < 1e-12 * spacing);
     largest(water, scale);
@@ -147,7 +152,7 @@ static void check_repeats(struct water *water)
 {
     double size = water->setup.size, scale[2];
     largest(water, scale);
-    for (int i = 0; i < 50 && water->model->periodic; i++) {
+    for (int i = 0; i < 50 && water->surface.periodic; i++) {
         double x = i * 0.31 * size - 7 * size, z = i * 0.17 * size, here[3], there[3];
         sample(water, x, z, here);
         sample(water, x + (i % 3 + 1) * size, z - i % 4 * size, there);

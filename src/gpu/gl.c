@@ -9,7 +9,6 @@
 #include <string.h>
 
 /* Those that dapple uses, as dapple/gl.h says. */
-#define TEXTURE_UNITS 8
 #define STORAGE_BUFFERS 1
 
 static bool load_functions(struct dpl_gl *gl, const struct dpl_gl_options *options)
@@ -189,7 +188,7 @@ bool gpu_check(struct dpl_gl *gl)
 
 void gpu_leave(struct dpl_gl *gl, unsigned framebuffer)
 {
-    for (GLenum unit = TEXTURE_UNITS; unit-- > 0;) {
+    for (GLenum unit = GPU_TEXTURE_UNITS; unit-- > 0;) {
         gl->ActiveTexture(GL_TEXTURE0 + unit);
         gl->BindTexture(GL_TEXTURE_2D, 0);
         gl->BindTexture(GL_TEXTURE_2D_ARRAY, 0);

@@ -82,6 +82,7 @@
     X(PFNGLVIEWPORTPROC, Viewport)
 
 #define GPU_FALLBACKS_MAX 8
+#define GPU_TEXTURE_UNITS 8 /* that dapple binds textures to */
 
 struct dpl_gl {
 #define GPU_MEMBER(type, name) type name;

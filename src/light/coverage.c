@@ -45,10 +45,11 @@ static bool trace_color(struct state *state, const struct light_input *input, do
         return false;
     for (int slice = 0; slice < map->slices; slice++) {
         double height = input->receivers[slice];
-        if (!coverage_plan_make(&state->plan, input, &state->samples, &flat, height, map->side))
+        if (!coverage_plan_make(&state->plan, input, &state->samples, &flat, slice, map->side))
             return false;
         bool whole = state->plan.side == map->side;
-        const struct coverage_receiver receiver = {height, state->plan.side * state->plan.fineness};
+        const struct coverage_receiver receiver = {height, state->plan.side * state->plan.fineness,
+                                                   input->windows[slice]};
         if (!whole && !light_map_resize(&state->small, (map->side + 1) / 2, map->channels, 1, input->log))
             return false;
         struct light_map small = state->small;

@@ -54,10 +54,10 @@ struct coverage_kinds {
     double offset[2], per_slope[2][2]; /* place = offset + per_slope[0] slope_x + per_slope[1] slope_z */
 };
 
-/* Red, green, blue, and the kind: both places in one number, see coverage_kind(). */
+/* Red, green, blue, and the kind: both places in one number. */
 typedef float coverage_light __attribute__((vector_size(16)));
 
-/* Places in 1/128 steps; 4096 such steps along the first axis. */
+/* kind = steps of the first place + COVERAGE_KIND_ROW × steps of the second. */
 #define COVERAGE_KIND_STEPS 128.0f
 #define COVERAGE_KIND_ROW 4096.0f
 
@@ -88,6 +88,7 @@ struct coverage_cells {
 struct coverage_receiver {
     double height; /* m */
     int side;      /* fine texels a side */
+    struct ray_window window;
 };
 bool coverage_cells_place(struct coverage_cells *cells, const struct coverage_rays *rays, const struct surface *surface,
                           const struct coverage_flat *flat, const double absorption[3],
@@ -160,8 +161,7 @@ struct coverage_plan {
     struct coverage_raster raster;
 };
 bool coverage_plan_make(struct coverage_plan *plan, const struct light_input *input,
-                        const struct light_samples *samples, const struct coverage_flat *flat, double receiver,
-                        int side);
+                        const struct light_samples *samples, const struct coverage_flat *flat, int slice, int side);
 void coverage_plan_finish(struct coverage_plan *plan);
 
 /* Room for bands of rows, one for each thread. All zero: none yet. */

@@ -19,7 +19,6 @@ struct task {
     int width;  /* columns of a line of light: the fine map and what the footprints reach over beside it */
     int stride; /* columns of the map in a sorted line */
     int rows;   /* of the map in a band */
-    const struct coverage_bands *bands;
 };
 
 /* One thread's room. */
@@ -167,7 +166,7 @@ bool coverage_bands_trace(struct coverage_bands *bands, const struct coverage_ce
                           const struct coverage_plan *plan, int color, struct light_map *map, int slice,
                           const struct dpl_log *log)
 {
-    struct task task = {.cells = cells, .plan = plan, .side = map->side, .bands = bands};
+    struct task task = {.cells = cells, .plan = plan, .side = map->side};
     int least = 2 * plan->reach > ROWS ? 2 * plan->reach : ROWS; /* so that what bands share stays small */
     task.width = map->side * plan->fineness + 2 * plan->reach;
     task.stride = task.width / plan->fineness + 1;

@@ -261,14 +261,15 @@ static void write_density(const struct images *images, int i, float patch, float
     *out = flux;
 }
 
-static void fill_densities(struct coverage_cells *cells, const struct surface *surface, int side, int j)
+static void fill_densities(struct coverage_cells *cells, const struct surface *surface,
+                           const struct coverage_receiver *receiver, int j)
 {
     size_t columns = (size_t)cells->columns + 1, row = (size_t)j * columns;
     coverage_light *out = cells->density + ((size_t)(j + 1) * (columns + 1) + 1) * 2;
     double *spread = cells->spread + 3 * (size_t)j;
-    double scale = side / surface->size;
-    float widest = (float)fmax(side, 8 * cells->spacing); /* sum of four extents */
-    float spacing = (float)cells->spacing, farthest = FARTHEST * (float)side;
+    double scale = receiver->side / receiver->window.side;
+    float widest = (float)fmax(receiver->side, 8 * cells->spacing); /* sum of four extents */
+    float spacing = (float)cells->spacing, farthest = FARTHEST * (float)receiver->side;
     struct images images;
     spread[0] = spread[1] = spread[2] = 0;
     for (int from = 0; from < cells->columns; from += CHUNK) {
@@ -318,8 +319,10 @@ bool coverage_cells_place(struct coverage_cells *cells, const struct coverage_ra
 {
     if (!resize(cells, rays->columns - 1, rays->rows - 1, log))
         return false;
-    double scale = receiver->side / surface->size, x = flat->u * receiver->height * scale;
-    double z = flat->v * receiver->height * scale;
+    const struct ray_window *window = &receiver->window;
+    double scale = receiver->side / window->side, corner = -surface->size / 2;
+    double x = (corner - window->x + flat->u * receiver->height) * scale;
+    double z = (corner - window->z + flat->v * receiver->height) * scale;
     const struct placing placing = make_placing(flat, absorption, receiver, scale, kinds);
     cells->periodic = surface->periodic;
     cells->spacing = surface_spacing(surface) * scale;
@@ -339,7 +342,7 @@ bool coverage_cells_place(struct coverage_cells *cells, const struct coverage_ra
         }
 #pragma omp for
         for (int j = 0; j < cells->rows; j++)
-            fill_densities(cells, surface, receiver->side, j);
+            fill_densities(cells, surface, receiver, j);
     }
     return true;
 }

@@ -20,10 +20,11 @@ struct receiver {
     double height;  /* m */
     double flat[3]; /* u, v, q of flat water */
     double absorption[3];
-    double offset[2];   /* texels, from the map's corner to where flat water has the first vertex */
-    int side, level;    /* texels of the sharp map */
-    int cells, split;   /* a side of the surface, and that each of them is split into */
-    double cell;        /* texels, of what is split */
+    double offset[2]; /* texels, from the map's corner to where flat water has the first vertex */
+    int side, level;  /* texels of the sharp map */
+    int cells, split; /* a side of the surface, and that each of them is split into */
+    double cell;      /* texels, of what is split */
+    double texels_a_meter;
     int widest, margin; /* texels of a cell's image; of the blended light */
     double unit;        /* whole numbers in the light of flat water */
 };
@@ -82,7 +83,7 @@ static void bind_cells(struct dpl_gl *gl, const struct gpu_program *program, con
     program_vec3(gl, program, "channels", channels);
     program_float(gl, program, "receiver", receiver->height);
     program_float(gl, program, "cell", receiver->cell);
-    program_float(gl, program, "texels_a_meter", receiver->side / input->setup->size);
+    program_float(gl, program, "texels_a_meter", receiver->texels_a_meter);
     program_float(gl, program, "widest", receiver->widest);
     program_int(gl, program, "split", receiver->split);
     program_int(gl, program, "margin", receiver->margin);
@@ -193,12 +194,12 @@ static void draw_disc(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct 
 static int make_discs(struct coverage_gpu *gpu, const struct dpl_gl *gl, const struct light_input *input,
                       const struct light_samples *samples, int side)
 {
-    double scale = side / input->setup->size, error = fmax(input->settings->error / 100, ERROR_MIN);
+    double error = fmax(input->settings->error / 100, ERROR_MIN);
     int largest = side;
     const struct coverage *params = input->params;
     const struct coverage_flat flat = find_flat(input, input->medium->ior);
     for (int slice = 0; slice < input->slices; slice++) {
-        double covariance[3];
+        double covariance[3], scale = side / input->windows[slice].side;
         coverage_mean_footprint(input, samples, &flat, input->receivers[slice], covariance);
         for (int c = 0; c < 3; c++)
             covariance[c] *= scale * scale;
@@ -219,14 +220,16 @@ static struct receiver find_receiver(const struct dpl_gl *gl, const struct light
                                      const struct coverage_disc *disc, bool computed)
 {
     const struct surface_gpu *surface = input->surface_gpu;
+    const struct ray_window *window = input->windows + slice;
     struct receiver receiver = {.height = input->receivers[slice], .side = disc->side, .level = level_of(disc)};
     const struct coverage_flat water = find_flat(input, ior);
     receiver.flat[0] = water.u;
     receiver.flat[1] = water.v;
     receiver.flat[2] = water.q;
     receiver.cells = surface->texels.width - (surface->periodic ? 0 : 1);
-    receiver.split = receiver.side / receiver.cells / CELL_MAX + 1;
-    receiver.cell = (double)receiver.side / receiver.cells / receiver.split;
+    receiver.split = (int)(surface->size / window->side * receiver.side / receiver.cells) / CELL_MAX + 1;
+    receiver.texels_a_meter = receiver.side / window->side;
+    receiver.cell = surface->size * receiver.texels_a_meter / receiver.cells / receiver.split;
     receiver.widest = (int)(64 + 4 * receiver.cell);
     if (!computed && receiver.widest > gl->info.point_max - 2)
         receiver.widest = gl->info.point_max > CELL_MAX ? gl->info.point_max - 2 : CELL_MAX;
@@ -234,7 +237,8 @@ static struct receiver find_receiver(const struct dpl_gl *gl, const struct light
     receiver.unit = fmin(least, fmax(UNIT, 0x1p28 / (side * side)));             /* so that a texel can hold all */
     receiver.margin = receiver.widest / 2 + 2;
     for (int i = 0; i < 2; i++) {
-        receiver.offset[i] = receiver.flat[i] * receiver.height / input->setup->size * receiver.side;
+        double corner = -surface->size / 2 - (i == 0 ? window->x : window->z);
+        receiver.offset[i] = (corner + receiver.flat[i] * receiver.height) * receiver.texels_a_meter;
         const double outside = 1e7; /* texels: whatever lies there is not seen */
         if (surface->periodic)
             receiver.offset[i] = fmod(receiver.offset[i], receiver.side);

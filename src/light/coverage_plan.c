@@ -169,9 +169,10 @@ static bool make_footprints(struct coverage_plan *plan, const struct light_input
         double at[2] = {samples->slopes[0][i], samples->slopes[1][i]};
         if (!footprint_at(input, flat, at, way_from(samples, i, receiver), covariance))
             continue;
+        double place[2] = {place_among(kinds, 0, at), place_among(kinds, 1, at)};
         for (int k = 0; k < kinds->count[0] * kinds->count[1]; k++) {
-            double first = 1 - fabs(place_among(kinds, 0, at) - k % kinds->count[0]);
-            double second = 1 - fabs(place_among(kinds, 1, at) - k / kinds->count[0]);
+            double first = 1 - fabs(place[0] - k % kinds->count[0]);
+            double second = 1 - fabs(place[1] - k / kinds->count[0]);
             double share = fmax(first, 0) * fmax(second, 0);
             for (int c = 0; c < 3; c++)
                 sums[k][c] += share * covariance[c];
@@ -213,11 +214,11 @@ static void plan_point_sun(struct coverage_plan *plan, int side, int fineness)
 }
 
 bool coverage_plan_make(struct coverage_plan *plan, const struct light_input *input,
-                        const struct light_samples *samples, const struct coverage_flat *flat, double receiver,
-                        int side)
+                        const struct light_samples *samples, const struct coverage_flat *flat, int slice, int side)
 {
     const struct coverage *params = input->params;
-    double covariance[3], scale = side / input->setup->size, error = input->settings->error / 100;
+    double receiver = input->receivers[slice], size = input->windows[slice].side;
+    double covariance[3], scale = side / size, error = input->settings->error / 100;
     bool arrives = coverage_mean_footprint(input, samples, flat, receiver, covariance);
     double radius = 2 * sqrt(fmax(covariance[0], covariance[2])) * scale;
     if (!arrives || radius < COVERAGE_RADIUS_MIN) {
@@ -239,7 +240,7 @@ bool coverage_plan_make(struct coverage_plan *plan, const struct light_input *in
                                    ? params->footprints
                                    : count_kinds(variation(input, flat, &slopes, a) * focusing * focusing, error);
     set_kinds(plan, &slopes);
-    return make_footprints(plan, input, samples, flat, receiver, plan->side / input->setup->size * plan->fineness);
+    return make_footprints(plan, input, samples, flat, receiver, plan->side / size * plan->fineness);
 }
 
 void coverage_plan_finish(struct coverage_plan *plan)

@@ -14,6 +14,12 @@ const char *light_technique_name(int i)
     return i >= 0 && i < count ? light_techniques[i]->name : NULL;
 }
 
+static const char *window_name(int i)
+{
+    static const char *const names[] = {"tile", "light", NULL};
+    return names[i];
+}
+
 const struct dpl_param light_settings_params[] = {
     PARAM_CHOICE(struct light_settings, technique, 0, light_technique_name, "technique; see `dapple list techniques`"),
     PARAM_INT(struct light_settings, map, 512, 1, LIGHT_MAP_MAX, "texels", "side of the caustic map"),
@@ -22,6 +28,11 @@ const struct dpl_param light_settings_params[] = {
     PARAM_FLOAT(struct light_settings, error, 1, 0.05, 20, "%",
                 "wanted error of a physical map (RMS), where its detail is left open: mesh, coverage's fineness and "
                 "footprints"),
+    PARAM_CHOICE(struct light_settings, window, LIGHT_WINDOW_TILE, window_name,
+                 "of bounded water, what the map shows: tile = the square straight below the water; light = where its "
+                 "light falls"),
+    PARAM_FLOAT(struct light_settings, margin, 0, 0, 4, "tiles",
+                "of bounded water, how far the map goes on beyond that square on every side"),
     PARAM_INT(struct light_settings, slices, 1, 1, LIGHT_SLICES_MAX, "",
               "maps at even steps from the floor (slice 0) up towards the surface"),
     PARAM_FLOAT(

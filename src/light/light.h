@@ -12,6 +12,7 @@
 #include "dapple/image.h"
 #include "gpu/texture.h"
 #include "optics/sun.h"
+#include "reference/ray.h"
 #include "water/surface_gpu.h"
 
 #define LIGHT_MAP_MAX 8192  /* texels a side */
@@ -19,10 +20,13 @@
 #define LIGHT_SLICES_MAX 64
 
 /* Section [caustics]: what every technique may need to know. */
+enum light_window { LIGHT_WINDOW_TILE, LIGHT_WINDOW_LIGHT };
 struct light_settings {
     int technique;     /* index into light_techniques */
     int map, mesh;     /* texels, vertices a side */
     double error;      /* per cent, wanted */
+    int window;        /* enum light_window */
+    double margin;     /* sides of the tile */
     int slices;        /* receivers below the surface */
     double ceiling;    /* m above the rest surface, of a receiver there; 0: none */
     double depth_bias; /* m */
@@ -43,9 +47,10 @@ struct light_input {
     const struct surface_gpu *surface_gpu; /* for draw(); its texture is filled */
     const struct water_model *model;       /* that made both; for who wants points beside the grid's */
     const struct water_setup *setup;
-    double time;             /* s */
-    const double *receivers; /* m, y of each slice of the map, never 0: below the surface or above it */
-    int slices;              /* 1 to LIGHT_SLICES_MAX */
+    double time;                      /* s */
+    const double *receivers;          /* m, y of each slice of the map, never 0: below the surface or above it */
+    int slices;                       /* 1 to LIGHT_SLICES_MAX */
+    const struct ray_window *windows; /* of each receiver, that its map shows; that of periodic water is the tile */
     const struct optics_sun *sun;
     const struct water_medium *medium;
     const struct light_settings *settings;

@@ -2,9 +2,11 @@
  * towards the surface; or one layer, that of a ceiling. */
 uniform sampler2DArray light_texels;
 uniform int light_channels; /* 1 or 3 */
+uniform vec3 light_window;  /* of the first receiver, in tiles: its corner along x and z, its side */
 
 vec3 light_in_layer(vec2 place, float layer)
 {
+    place = (place - light_window.xy) / light_window.z;
     /* The bias keeps lines that run away from the eye sharp, at the price of a little shimmer far off. */
     vec3 light = texture(light_texels, vec3(place, layer), -0.7).rgb;
     return light_channels == 1 ? light.rrr : light;

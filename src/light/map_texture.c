@@ -21,8 +21,11 @@ void map_texture_resize(struct dpl_gl *gl, struct gpu_texture *map, int side, in
                          levels ? TEXTURE_MIPMAP : TEXTURE_LINEAR);
 }
 
-void map_texture_bind(struct dpl_gl *gl, const struct gpu_texture *map, const struct gpu_program *program, int unit)
+void map_texture_bind(struct dpl_gl *gl, const struct gpu_texture *map, const struct ray_window *window, double size,
+                      const struct gpu_program *program, int unit)
 {
+    const double in_tiles[3] = {window->x / size + 0.5, window->z / size + 0.5, window->side / size};
+    program_vec3(gl, program, "light_window", in_tiles);
     texture_bind(gl, map, (GLenum)unit);
     program_int(gl, program, "light_texels", unit);
     program_int(gl, program, "light_channels", map_texture_channels(map));

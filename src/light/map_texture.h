@@ -6,6 +6,7 @@
 #include "dapple/image.h"
 #include "gpu/program.h"
 #include "gpu/texture.h"
+#include "reference/ray.h"
 
 enum map_origin { MAP_DRAWN, MAP_UPLOADED };
 
@@ -14,8 +15,10 @@ enum map_origin { MAP_DRAWN, MAP_UPLOADED };
 void map_texture_resize(struct dpl_gl *gl, struct gpu_texture *map, int side, int channels, int slices,
                         enum map_origin origin, bool finished, bool periodic);
 
-/* Sets the uniforms of light/map.glsl in the program in use, the texture on the given unit. */
-void map_texture_bind(struct dpl_gl *gl, const struct gpu_texture *map, const struct gpu_program *program, int unit);
+/* Sets the uniforms of light/map.glsl in the program in use, the texture on the given unit. `window` is that of the
+ * first receiver, `size` the tile's side in metres. */
+void map_texture_bind(struct dpl_gl *gl, const struct gpu_texture *map, const struct ray_window *window, double size,
+                      const struct gpu_program *program, int unit);
 
 /* Channels that hold something: 1 or 3. */
 int map_texture_channels(const struct gpu_texture *map);

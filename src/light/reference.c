@@ -88,6 +88,7 @@ static bool trace(void *state_, const struct light_input *input, struct light_ma
         .medium = input->medium,
         .receivers = input->receivers,
         .receiver_count = input->slices,
+        .windows = input->windows,
         .side = map->side,
     };
     if (!resume(state, &task, p, input->log))

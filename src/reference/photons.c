@@ -33,9 +33,18 @@ static void place_on_disc(double u, double v, double place[2])
 }
 
 /* Mean weights of flat water. */
+static struct ray_window window_of(const struct photons_task *task, int receiver)
+{
+    double size = task->setup->size;
+    return task->windows ? task->windows[receiver] : (struct ray_window){-size / 2, -size / 2, size};
+}
+
 static void measure_flat(struct photons *photons, const struct photons_task *task)
 {
     const int places = 64; /* a side: the mean over the disc to 1e-5 and better */
+    double areas[PHOTONS_RECEIVERS_MAX];
+    for (int r = 0; r < task->receiver_count; r++)
+        areas[r] = pow(window_of(task, r).side / task->setup->size, 2) / (places * places);
     for (int k = 0; k < places * places; k++) {
         struct ray_point point = {.area = 1};
         double place[2];
@@ -46,8 +55,7 @@ static void measure_flat(struct photons *photons, const struct photons_task *tas
                 struct ray ray = ray_start(&photons->rays, &point, kind_of(task->receivers[r]), c);
                 struct ray_hit hit;
                 if (ray.weight > 0 && ray_meet(&ray, &point, task->receivers[r], &hit))
-                    photons->flat[r][c] +=
-                        ray_weight(&photons->rays, &ray, &hit, task->receivers[r], c) / (places * places);
+                    photons->flat[r][c] += areas[r] * ray_weight(&photons->rays, &ray, &hit, task->receivers[r], c);
             }
         }
     }
@@ -106,11 +114,11 @@ static double draw(uint64_t stratum, uint64_t pass, int dimension)
     return (double)((start + pass * steps[dimension]) >> 11) * 0x1p-53;
 }
 
-/* The texel along one side of the map; -1 beyond it. */
-static int texel_at(const struct photons_task *task, double position)
+/* The texel along one side of the map that starts at `start` and is `side` wide; -1 beyond it. */
+static int texel_at(const struct photons_task *task, double position, double start, double side)
 {
-    double place = position / task->setup->size + 0.5;
-    if (task->model->periodic)
+    double place = (position - start) / side;
+    if (task->model->shape(task->setup).periodic)
         place -= floor(place);
     if (!(place >= 0 && place <= 1))
         return -1;
@@ -124,7 +132,8 @@ static void land(const struct photons *photons, const struct photons_task *task,
     struct ray_hit hit;
     if (!ray_meet(ray, point, task->receivers[receiver], &hit))
         return;
-    int i = texel_at(task, hit.x), j = texel_at(task, hit.z);
+    struct ray_window window = window_of(task, receiver);
+    int i = texel_at(task, hit.x, window.x, window.side), j = texel_at(task, hit.z, window.z, window.side);
     if (i < 0 || j < 0)
         return;
     uint64_t *texel = sums + (((size_t)receiver * (size_t)task->side + (size_t)j) * (size_t)task->side + (size_t)i) * 3;

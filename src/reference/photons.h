@@ -7,7 +7,7 @@
  * a texel gets is a sum of whole numbers: the order of adding, and so the number of threads, does not matter.
  *
  * The map is in units of what flat water gives under the same sun. A photon counts for the texel it lands in; those of
- * a periodic model come in again at the other side, those of others are lost beyond the map. */
+ * periodic water come in again at the other side, those of other water are lost beyond the map. */
 #ifndef REFERENCE_PHOTONS_H
 #define REFERENCE_PHOTONS_H
 
@@ -26,7 +26,8 @@ struct photons_task {
     const struct water_medium *medium;
     const double *receivers; /* m, heights: below the rest surface for refracted light, above it for reflected */
     int receiver_count;      /* 1 to PHOTONS_RECEIVERS_MAX */
-    int side;                /* texels of a map */
+    const struct ray_window *windows; /* that the maps show; NULL: the square below the tile */
+    int side;                         /* texels of a map */
 };
 
 /* A count that goes on from pass to pass. All zero: none. */
@@ -39,7 +40,8 @@ struct photons {
     int strata; /* a side of the tile */
     struct optics_disc disc;
     struct ray_medium rays;
-    double flat[PHOTONS_RECEIVERS_MAX][3]; /* mean weight of flat water's rays over the sun's disc */
+    /* Mean weight of flat water's rays over the sun's disc, times the window's area in tiles. */
+    double flat[PHOTONS_RECEIVERS_MAX][3];
 };
 
 /* A number that differs, but for 1 in 2^64, where anything differs that a result depends on. */

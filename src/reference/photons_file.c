@@ -49,6 +49,21 @@ static uint64_t hash_params(uint64_t value, const struct dpl_param *param, const
     return value;
 }
 
+/* The water at some points: what a state of its model, a file or a second model makes of it. */
+static uint64_t hash_water(uint64_t value, const struct photons_task *task)
+{
+    enum { POINTS = 64 };
+    double arrays[8][POINTS] = {{0}}, size = task->setup->size;
+    for (int i = 0; i < POINTS; i++) {
+        arrays[0][i] = (i % 8 + 0.47) / 8 * size - size / 2;
+        arrays[1][i] = (i / 8 + 0.59) / 8 * size - size / 2;
+    }
+    struct water_points points = {POINTS,    arrays[0], arrays[1], arrays[2], arrays[3],
+                                  arrays[4], arrays[5], arrays[6], arrays[7]};
+    water_sample(task->model, task->setup, task->time, &points);
+    return hash(value, arrays, sizeof arrays);
+}
+
 uint64_t photons_fingerprint(const struct photons_task *task)
 {
     const struct water_setup *setup = task->setup;
@@ -59,6 +74,7 @@ uint64_t photons_fingerprint(const struct photons_task *task)
     value = hash_number(value, setup->depth);
     value = hash_number(value, setup->loop);
     value = hash_number(value, task->time);
+    value = hash_water(value, task);
     for (int w = 0; w < setup->wave_count; w++)
         value = hash_params(value, water_wave_params, setup->waves + w);
     value = hash_params(value, optics_sun_params, task->sun);
@@ -68,6 +84,8 @@ uint64_t photons_fingerprint(const struct photons_task *task)
         value = hash_number(value, task->medium->absorption[c]);
     for (int r = 0; r < task->receiver_count; r++)
         value = hash_number(value, task->receivers[r]);
+    for (int r = 0; r < task->receiver_count && task->windows; r++)
+        value = hash(value, task->windows + r, sizeof *task->windows);
     value = hash_number(value, task->receiver_count);
     return hash_number(value, task->side);
 }

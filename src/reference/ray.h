@@ -10,6 +10,11 @@
 #include "optics/sun.h"
 #include "water/water.h"
 
+/* A square of a receiver: its corner of smallest x and z, and its side. */
+struct ray_window {
+    double x, z, side; /* m */
+};
+
 /* What happens to the light there: it enters the water, or is thrown back by it. */
 enum ray_kind { RAY_REFRACTED, RAY_REFLECTED, RAY_KINDS };
 

@@ -33,7 +33,7 @@ bool difference_draw(struct difference *difference, const struct frame *frame, c
     program_float(gl, program, "height", receivers[0]);
     program_float(gl, program, "gain", gain);
     program_float(gl, program, "range", range);
-    map_texture_bind(gl, frame->map, program, 0);
+    map_texture_bind(gl, frame->map, frame->windows, frame->scene->settings.size, program, 0);
     texture_bind(gl, other, 1);
     texture_bind(gl, &difference->colors, 2);
     program_int(gl, program, "other_texels", 1);

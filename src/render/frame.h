@@ -9,8 +9,12 @@
 struct frame {
     struct dpl_gl *gl;
     const struct dpl_scene *scene;
+    const void *params; /* the look's own struct */
+    double time;        /* s */
+    double sphere[3];   /* m, the middle of the scene's sphere now */
     const struct surface_gpu *surface;
-    const struct gpu_texture *map; /* the caustic maps; see light/map_texture.h */
+    const struct gpu_texture *map;    /* the caustic maps; see light/map_texture.h */
+    const struct ray_window *windows; /* that they show */
     const struct gpu_texture *sand;
     float view_projection[16]; /* columns; world to clip space */
     struct gpu_timer *timer;

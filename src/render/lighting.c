@@ -21,6 +21,12 @@ static const char *const passes[LIT_MAPS][PASSES] = {
     {"other light", "other blur", "other upload", "other mipmaps"},
 };
 
+void lighting_drop(struct lighting *lighting, struct water_drop drop)
+{
+    if (lighting->drop_count < LIGHTING_DROPS_MAX)
+        lighting->drops[lighting->drop_count++] = drop;
+}
+
 /* Where the light is computed: on the CPU where asked, where OpenGL cannot, or where OpenGL itself runs there. */
 static bool light_on_cpu(const struct lighting *lighting, const struct light_technique *technique)
 {
@@ -45,19 +51,36 @@ static bool check_side(const struct lighting *lighting, const char *what, int si
                      side, lighting->gl->info.texture_max);
 }
 
+static bool ready_water(struct lighting *lighting, const struct dpl_scene *scene, double time)
+{
+    const struct water_model *model = water_models[scene->medium.model];
+    struct water_setup *setup = &lighting->setup;
+    *setup = scene_water_setup(scene, lighting->waves);
+    setup->memory = &lighting->memory;
+    setup->drops = lighting->drops;
+    setup->drop_count = lighting->drop_count;
+    lighting->drop_count = 0;
+    scene_windows(scene, model->shape(setup).periodic, lighting->windows);
+    return water_prepare(model, setup, time, lighting->log);
+}
+
 static bool make_surface(struct lighting *lighting, const struct dpl_scene *scene, double time, bool on_cpu,
                          bool on_gpu)
 {
     const struct water_model *model = water_models[scene->medium.model];
-    struct water_setup setup = scene_water_setup(scene, lighting->waves);
+    const struct water_setup *setup = &lighting->setup;
     timer_pass(lighting->timer, "surface");
     if (lighting->gl)
         gpu_enter(lighting->gl);
-    if (on_gpu && !check_side(lighting, "the water's grid", model->grid(&setup)))
+    if (!ready_water(lighting, scene, time))
+        return false;
+    if (!on_cpu && !on_gpu)
+        return true;
+    if (on_gpu && !check_side(lighting, "the water's grid", model->shape(setup).side))
         return false;
     if (on_gpu && !on_cpu && surface_on_gpu(lighting, scene))
-        return surface_gpu_evaluate(lighting->gl, &lighting->surface_gpu, model, &setup, time);
-    if (!water_evaluate(model, &setup, time, &lighting->surface, lighting->log))
+        return surface_gpu_evaluate(lighting->gl, &lighting->surface_gpu, model, setup, time);
+    if (!water_evaluate(model, setup, time, &lighting->surface, lighting->log))
         return false;
     if (on_gpu)
         surface_gpu_upload(lighting->gl, &lighting->surface_gpu, &lighting->surface);
@@ -83,7 +106,6 @@ static void *technique_state(struct lighting *lighting, const struct task *task)
 static struct light_input light_input(struct lighting *lighting, const struct task *task)
 {
     const struct dpl_scene *scene = task->scene;
-    lighting->setup = scene_water_setup(scene, lighting->waves);
     return (struct light_input){
         .surface = &lighting->surface,
         .surface_gpu = &lighting->surface_gpu,
@@ -92,6 +114,7 @@ static struct light_input light_input(struct lighting *lighting, const struct ta
         .time = task->time,
         .receivers = lighting->receivers,
         .slices = scene_receivers(scene, lighting->receivers),
+        .windows = lighting->windows,
         .sun = &scene->sun,
         .medium = &scene->medium,
         .settings = &scene->caustics,
@@ -124,7 +147,7 @@ static void resize_texture(struct lighting *lighting, const struct task *task, s
                            enum map_origin origin, bool finished)
 {
     const struct dpl_scene *scene = task->scene;
-    bool periodic = task->technique->physical && water_models[scene->medium.model]->periodic;
+    bool periodic = task->technique->physical && water_models[scene->medium.model]->shape(&lighting->setup).periodic;
     double receivers[LIGHT_SLICES_MAX];
     map_texture_resize(lighting->gl, texture, scene->caustics.map, task->technique->channels,
                        scene_receivers(scene, receivers), origin, finished, periodic);
@@ -217,6 +240,7 @@ void lighting_finish(struct lighting *lighting)
     }
     blur_finish(&lighting->blur, gl);
     surface_finish(&lighting->surface);
+    water_memory_finish(&lighting->memory, gl);
     if (gl)
         surface_gpu_finish(gl, &lighting->surface_gpu);
     for (int i = 0; i < LIT_MAPS; i++) {

@@ -20,6 +20,8 @@ struct lit_map {
 
 enum { LIT_SCENE, LIT_OTHER, LIT_MAPS }; /* by the scene's technique, by the one that it is compared with */
 
+#define LIGHTING_DROPS_MAX 64
+
 struct lighting {
     struct dpl_gl *gl; /* NULL: CPU only */
     enum dpl_device device;
@@ -28,13 +30,20 @@ struct lighting {
     struct light_progress progress;
     struct wave waves[WATER_WAVES_MAX];
     struct water_setup setup;
+    struct water_memory memory;
+    struct water_drop drops[LIGHTING_DROPS_MAX]; /* that wait for the next frame */
+    int drop_count;
     double receivers[LIGHT_SLICES_MAX];
+    struct ray_window windows[LIGHT_SLICES_MAX];
     struct surface surface;
     struct surface_gpu surface_gpu;
     void *technique_states[SCENE_TECHNIQUES_MAX]; /* made when first used */
     struct light_blur blur;
     struct lit_map maps[LIT_MAPS];
 };
+
+/* Has a drop fall into the water of the next frame; one too many is lost. */
+void lighting_drop(struct lighting *lighting, struct water_drop drop);
 
 /* Makes the surface into `surface`, wherever it is computed. */
 bool lighting_make_surface(struct lighting *lighting, const struct dpl_scene *scene, double time);

@@ -2,6 +2,7 @@
 
 #include "base/log.h"
 #include "light/detail.h"
+#include "optics/refraction.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -32,7 +33,7 @@ static const struct dpl_param floor_params[] = {
 };
 
 static const struct dpl_param render_params[] = {
-    PARAM_CHOICE(struct scene_render, look, LOOK_COLLARD, look_name, "how the scene is shaded"),
+    PARAM_CHOICE(struct scene_render, look, 0, scene_look_name, "how the scene is shaded"),
     PARAM_COLOR(struct scene_render, background, 1, "colour where there is nothing", 51.0 / 255, 71.0 / 255,
                 79.0 / 255),
     PARAM_INT(struct scene_render, samples, 1, 1, 16, "",
@@ -52,14 +53,13 @@ static const struct fixed_section fixed_sections[] = {
     {"sun", "the sun (multi-sample has its own, straight overhead)", optics_sun_params,
      offsetof(struct dpl_scene, sun)},
     {"water", "the water and its waves", water_medium_params, offsetof(struct dpl_scene, medium)},
+    {"sphere", "a ball in the water", water_sphere_params, offsetof(struct dpl_scene, sphere)},
     {"caustics", "the caustic map", light_settings_params, offsetof(struct dpl_scene, caustics)},
     {"camera", "the view", camera_params, offsetof(struct dpl_scene, camera)},
     {"floor", "the sand", floor_params, offsetof(struct dpl_scene, floor)},
     {"render", "the picture", render_params, offsetof(struct dpl_scene, render)},
-    {"look.collard", "shading as in Collard & Mundi 2022", look_collard_params,
-     offsetof(struct dpl_scene, look_collard)},
 };
-enum { FIXED_COUNT = sizeof fixed_sections / sizeof *fixed_sections, FIXED_LOOK_COLLARD = FIXED_COUNT - 1 };
+enum { FIXED_COUNT = sizeof fixed_sections / sizeof *fixed_sections };
 
 static void *allocate_params(const struct dpl_param *params, size_t size, const struct dpl_log *log)
 {
@@ -92,6 +92,10 @@ struct dpl_scene *dpl_scene_create(const struct dpl_log *log)
         scene->technique_params[i] = allocate_params(technique->params, technique->params_size, log);
         ok = ok && (!technique->params || scene->technique_params[i]);
     }
+    for (int i = 0; scene_looks[i]; i++) {
+        scene->look_params[i] = allocate_params(scene_looks[i]->params, scene_looks[i]->params_size, log);
+        ok = ok && scene->look_params[i];
+    }
     if (ok)
         return scene;
     dpl_scene_destroy(scene);
@@ -106,6 +110,8 @@ void dpl_scene_destroy(struct dpl_scene *scene)
         free(scene->model_params[i]);
     for (int i = 0; light_techniques[i]; i++)
         free(scene->technique_params[i]);
+    for (int i = 0; scene_looks[i]; i++)
+        free(scene->look_params[i]);
     free(scene);
 }
 
@@ -124,8 +130,7 @@ struct dpl_section dpl_scene_section(const struct dpl_scene *scene, int index)
     char *base = (char *)scene;
     if (index < FIXED_COUNT) {
         const struct fixed_section *fixed = fixed_sections + index;
-        bool active = index != FIXED_LOOK_COLLARD || scene->render.look == LOOK_COLLARD;
-        return (struct dpl_section){fixed->name, fixed->help, fixed->params, base + fixed->offset, active};
+        return (struct dpl_section){fixed->name, fixed->help, fixed->params, base + fixed->offset, true};
     }
     index -= FIXED_COUNT;
     for (int i = 0; water_models[i]; i++)
@@ -137,6 +142,10 @@ struct dpl_section dpl_scene_section(const struct dpl_scene *scene, int index)
             return (struct dpl_section){light_techniques[i]->name, light_techniques[i]->summary,
                                         light_techniques[i]->params, scene->technique_params[i],
                                         scene->caustics.technique == i};
+    for (int i = 0; scene_looks[i]; i++)
+        if (index-- == 0)
+            return (struct dpl_section){scene_looks[i]->section, scene_looks[i]->summary, scene_looks[i]->params,
+                                        scene->look_params[i], scene->render.look == i};
     return wave_section(scene, index);
 }
 
@@ -152,14 +161,17 @@ struct water_setup scene_water_setup(const struct dpl_scene *scene, struct wave 
         .depth = scene->settings.depth,
         .loop = scene->settings.loop,
         .mesh = scene->caustics.mesh,
+        .seed = scene->settings.seed,
+        .sphere = &scene->sphere,
         .waves = waves,
         .wave_count = count,
         .params = scene->model_params[scene->medium.model],
+        .all_params = (const void *const *)scene->model_params,
     };
     scene_receivers(scene, receivers);
     double spread = sin(scene->sun.angular_radius * M_PI / 180) / (receivers[0] < 0 ? scene->medium.ior : 1);
     double blur = fmax(setup.size / scene->caustics.map, fabs(receivers[0]) * spread);
-    if (setup.mesh == 0)
+    if (setup.mesh == 0 && water_models[scene->medium.model]->shape(&setup).side == 0)
         setup.mesh = light_choose_mesh(water_models[scene->medium.model], &setup, receivers[0], scene->medium.ior, blur,
                                        scene->caustics.error / 100);
     return setup;
@@ -173,6 +185,26 @@ int scene_receivers(const struct dpl_scene *scene, double heights[LIGHT_SLICES_M
     for (int k = 0; k < count && scene->caustics.ceiling == 0; k++)
         heights[k] = -fmax(scene->settings.depth * (count - k) / count, nearest);
     return count;
+}
+
+void scene_windows(const struct dpl_scene *scene, bool periodic, struct ray_window windows[LIGHT_SLICES_MAX])
+{
+    const double up[3] = {0, 1, 0}, flattest = 1e-3; /* of a ray: lower ones leave the window where it is */
+    double receivers[LIGHT_SLICES_MAX], to_sun[3], ray[3], size = scene->settings.size;
+    double margin = periodic ? 0 : scene->caustics.margin * size;
+    bool follows = !periodic && scene->caustics.window == LIGHT_WINDOW_LIGHT;
+    int count = scene_receivers(scene, receivers);
+    optics_sun_direction(&scene->sun, to_sun);
+    for (int k = 0; k < count; k++) {
+        double along[2] = {0, 0};
+        if (receivers[k] > 0)
+            optics_reflect(to_sun, up, ray);
+        else
+            optics_refract(to_sun, up, scene->medium.ior, ray);
+        for (int a = 0; a < 2 && follows && fabs(ray[1]) > flattest; a++)
+            along[a] = ray[2 * a] / ray[1] * receivers[k];
+        windows[k] = (struct ray_window){along[0] - size / 2 - margin, along[1] - size / 2 - margin, size + 2 * margin};
+    }
 }
 
 struct dpl_entry dpl_water_model(int index)

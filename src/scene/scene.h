@@ -7,7 +7,6 @@
 #include "scene/look.h"
 #include "water/water.h"
 
-#define SCENE_MODELS_MAX 16
 #define SCENE_TECHNIQUES_MAX 16
 
 struct scene_settings {
@@ -27,7 +26,7 @@ struct scene_floor {
 };
 
 struct scene_render {
-    int look; /* enum scene_look */
+    int look; /* index into scene_looks */
     double background[3];
     int samples;
     bool wireframe;
@@ -38,13 +37,14 @@ struct dpl_scene {
     struct scene_settings settings;
     struct optics_sun sun;
     struct water_medium medium;
+    struct water_sphere sphere;
     struct light_settings caustics;
     struct scene_camera camera;
     struct scene_floor floor;
     struct scene_render render;
-    struct look_collard look_collard;
-    void *model_params[SCENE_MODELS_MAX];         /* as water_models; NULL: it has none */
+    void *model_params[WATER_MODELS_MAX];         /* as water_models; NULL: it has none */
     void *technique_params[SCENE_TECHNIQUES_MAX]; /* as light_techniques */
+    void *look_params[SCENE_LOOKS_MAX];           /* as scene_looks */
     struct wave waves[WATER_WAVES_MAX];           /* [wave.N] is entry N - 1 */
     bool wave_present[WATER_WAVES_MAX];
     char wave_names[WATER_WAVES_MAX][12]; /* "wave.1", … */
@@ -52,6 +52,9 @@ struct dpl_scene {
 
 /* The heights of the receivers that the scene asks light for; returns how many, 1 to LIGHT_SLICES_MAX. */
 int scene_receivers(const struct dpl_scene *scene, double heights[LIGHT_SLICES_MAX]);
+
+/* The squares of the receivers that the scene's maps show; those of periodic water are the tile. */
+void scene_windows(const struct dpl_scene *scene, bool periodic, struct ray_window windows[LIGHT_SLICES_MAX]);
 
 /* The parts of a scene that a water model sees. `waves` is room for WATER_WAVES_MAX, filled with those present. */
 struct water_setup scene_water_setup(const struct dpl_scene *scene, struct wave *waves);

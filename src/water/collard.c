@@ -122,9 +122,9 @@ static double ripple(const struct collard *w, const struct vertex *v, double t)
 typedef double wave_function(const struct collard *w, const struct vertex *v, double t);
 static wave_function *const wave_functions[] = {preset_1, preset_2, preset_3, preset_4, radial, ripple};
 
-static int grid(const struct water_setup *setup)
+static struct water_shape shape(const struct water_setup *setup)
 {
-    return ((const struct collard *)setup->params)->cells + 1;
+    return (struct water_shape){.side = ((const struct collard *)setup->params)->cells + 1};
 }
 
 /* Height in metres at vertex (column, row). */
@@ -180,7 +180,7 @@ const struct water_model water_collard = {
     .source = "Collard & Mundi 2022",
     .params = params,
     .params_size = sizeof(struct collard),
-    .grid = grid,
+    .shape = shape,
     .evaluate = evaluate,
     .sample = sample,
 };

@@ -40,9 +40,9 @@ static double phase_at(const struct wave *wave, const struct water_setup *setup,
     return turns - floor(turns);
 }
 
-static int grid(const struct water_setup *setup)
+static struct water_shape shape(const struct water_setup *setup)
 {
-    return setup->mesh;
+    return (struct water_shape){.side = setup->mesh, .periodic = true};
 }
 
 /* The waves at one time: h = Σ amplitude cos(2π (along_x x + along_z z + phase)). */
@@ -178,8 +178,7 @@ const struct water_model water_sines = {
     .name = "sines",
     .summary = "a list of sine waves, [wave.1] to [wave.64]; exact slopes, periodic, loops",
     .source = "Airy 1845",
-    .periodic = true,
-    .grid = grid,
+    .shape = shape,
     .evaluate = evaluate,
     .sample = sample,
     .shader = "water/sines.glsl",

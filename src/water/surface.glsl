@@ -1,5 +1,7 @@
 /* The water's surface as shaders see it: the GPU's twin of surface.c. */
 uniform sampler2D surface_texels; /* height, slope along x, slope along z */
+uniform sampler2D surface_shifts; /* m along x and z; where the surface is choppy */
+uniform int surface_choppy;
 uniform float surface_size;       /* m */
 uniform int surface_periodic;
 
@@ -16,6 +18,15 @@ vec3 surface_vertex(ivec2 vertex)
     if (surface_periodic != 0)
         vertex = (vertex + count) % count;
     return texelFetch(surface_texels, vertex, 0).xyz;
+}
+
+/* How far a vertex stands from its place at rest. */
+vec2 surface_shift(ivec2 vertex)
+{
+    ivec2 count = textureSize(surface_texels, 0);
+    if (surface_periodic != 0)
+        vertex = (vertex + count) % count;
+    return surface_choppy != 0 ? texelFetch(surface_shifts, vertex, 0).xy : vec2(0.0);
 }
 
 vec3 surface_vertex_normal(ivec2 vertex)

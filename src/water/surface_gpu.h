@@ -1,5 +1,5 @@
 /* water/surface_gpu.h: the surface as a texture: height, slope along x, slope along z in red, green and blue, a texel
- * a vertex. Shaders read it through water/surface.glsl. */
+ * a vertex; and, where it is choppy, a second one of shifts. Shaders read them through water/surface.glsl. */
 #ifndef WATER_SURFACE_GPU_H
 #define WATER_SURFACE_GPU_H
 
@@ -9,11 +9,11 @@
 
 /* All zero: none yet. */
 struct surface_gpu {
-    struct gpu_texture texels;
-    struct gpu_program program;      /* of the model that the GPU evaluates */
-    const struct water_model *model; /* whose program that is */
-    double size;                     /* m */
-    bool periodic;
+    struct gpu_texture texels, shifts;
+    struct gpu_program program, shift_program; /* of the model that the GPU evaluates */
+    const struct water_model *model;           /* whose programs these are */
+    double size;                               /* m */
+    bool periodic, choppy;
 };
 
 /* True where the model can be evaluated on this device. */
@@ -29,7 +29,8 @@ void surface_gpu_upload(struct dpl_gl *gl, struct surface_gpu *surface, const st
 /* Copies the other way; the target is resized. */
 bool surface_gpu_read(struct dpl_gl *gl, struct surface_gpu *surface, struct surface *to);
 
-/* Sets the uniforms of water/surface.glsl in the program in use, the texture on the given unit. */
+/* Sets the uniforms of water/surface.glsl in the program in use, the texture on the given unit; shifts are on the last
+ * one. */
 void surface_gpu_bind(struct dpl_gl *gl, const struct surface_gpu *surface, const struct gpu_program *program,
                       int unit);
 

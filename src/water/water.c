@@ -1,6 +1,9 @@
 #include "water/water.h"
 
+#include "base/log.h"
+
 #include <math.h>
+#include <stdlib.h>
 
 extern const struct water_model water_sines, water_collard;
 
@@ -23,18 +26,68 @@ const struct dpl_param water_medium_params[] = {
     PARAM_END,
 };
 
+const struct dpl_param water_sphere_params[] = {
+    PARAM_FLOAT(struct water_sphere, radius, 0, 0, 1000, "m", "of the ball; 0 = there is none"),
+    PARAM_FLOATS(struct water_sphere, position, 3, -10000, 10000, "m", "its middle", 0, 0, 0),
+    PARAM_BOOL(struct water_sphere, gravity, false, "it falls, swims and sinks from there on, instead of staying"),
+    PARAM_END,
+};
+
 void water_refractive_indices(const struct water_medium *medium, double ior[3])
 {
     for (int c = 0; c < 3; c++)
         ior[c] = fmax(medium->ior + (c - 1) * medium->dispersion / 2, 1);
 }
 
+static int index_of(const struct water_model *model)
+{
+    int i = 0;
+    while (water_models[i] && water_models[i] != model)
+        i++;
+    return i;
+}
+
+void *water_state(const struct water_model *model, const struct water_setup *setup, const struct dpl_log *log)
+{
+    void **state = setup->memory && model->state_size ? setup->memory->states + index_of(model) : NULL;
+    if (state && !*state)
+        *state = base_allocate(log, 1, model->state_size, model->name);
+    return state ? *state : NULL;
+}
+
+bool water_prepare(const struct water_model *model, const struct water_setup *setup, double time,
+                   const struct dpl_log *log)
+{
+    void *state = water_state(model, setup, log);
+    return (state || !model->state_size) && (!model->prepare || model->prepare(state, setup, time, log));
+}
+
+void water_memory_finish(struct water_memory *memory, struct dpl_gl *gl)
+{
+    for (int i = 0; water_models[i]; i++) {
+        if (memory->states[i] && water_models[i]->finish)
+            water_models[i]->finish(memory->states[i], gl);
+        free(memory->states[i]);
+    }
+    *memory = (struct water_memory){0};
+}
+
+void water_sphere_center(const struct water_model *model, const struct water_setup *setup, double center[3])
+{
+    for (int c = 0; c < 3; c++)
+        center[c] = setup->sphere->position[c];
+    if (model->sphere)
+        model->sphere(setup, center);
+}
+
 void water_sample(const struct water_model *model, const struct water_setup *setup, double time,
                   struct water_points *points)
 {
-    for (int i = 0; i < points->count && !model->choppy; i++) {
-        points->shift_x[i] = points->shift_z[i] = 0;
-        points->area[i] = 1;
+    if (!model->shape(setup).choppy) {
+        for (int i = 0; i < points->count; i++) {
+            points->shift_x[i] = points->shift_z[i] = 0;
+            points->area[i] = 1;
+        }
     }
     model->sample(setup, time, points);
 }
@@ -42,8 +95,8 @@ void water_sample(const struct water_model *model, const struct water_setup *set
 bool water_evaluate(const struct water_model *model, const struct water_setup *setup, double time,
                     struct surface *surface, const struct dpl_log *log)
 {
-    int side = model->grid(setup);
-    if (!surface_resize(surface, side, side, model->periodic, model->choppy, setup->size, log))
+    struct water_shape shape = model->shape(setup);
+    if (!surface_resize(surface, shape.side, shape.side, shape.periodic, shape.choppy, setup->size, log))
         return false;
     model->evaluate(setup, time, surface);
     return true;

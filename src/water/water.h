@@ -5,8 +5,10 @@
 #define WATER_WATER_H
 
 #include "base/param.h"
+#include "gpu/texture.h"
 #include "water/surface.h"
 
+#define WATER_MODELS_MAX 16
 #define WATER_WAVES_MAX 64
 #define WATER_CONSTANTS_MAX 128 /* vec4 constants of a model's shader */
 
@@ -31,15 +33,46 @@ struct wave {
 };
 extern const struct dpl_param water_wave_params[];
 
+/* Section [sphere]: a ball that displaces the water of models that can be disturbed. */
+struct water_sphere {
+    double radius; /* m; 0: none */
+    double position[3];
+    bool gravity; /* it swims and sinks from there on, instead of staying */
+};
+extern const struct dpl_param water_sphere_params[];
+
+/* Something that falls into the water of models that can be disturbed. */
+struct water_drop {
+    double x, z, radius, height; /* m; the height may be negative */
+};
+
+/* What models keep between frames, each its own state. All zero: nothing yet. */
+struct water_memory {
+    void *states[WATER_MODELS_MAX]; /* as water_models; NULL: has none, or has not been used */
+};
+
 /* What a model may need to know of the scene; filled by the scene, valid during the call. */
 struct water_setup {
     double size;  /* m, side of the tile */
     double depth; /* m */
     double loop;  /* s; 0: does not loop */
     int mesh;     /* vertices a side that the user asks of models without a grid of their own */
+    int seed;     /* start of everything random */
     const struct wave *waves;
     int wave_count;
-    const void *params; /* the model's own struct */
+    const struct water_sphere *sphere;
+    const struct water_drop *drops; /* that fall now */
+    int drop_count;
+    const void *params;            /* the model's own struct */
+    const void *const *all_params; /* those of every model, as water_models */
+    struct water_memory *memory;   /* NULL: models that keep something cannot be used */
+};
+
+/* The grid that a model's surface has. */
+struct water_shape {
+    int side;      /* vertices */
+    bool periodic; /* the left and right edges join, and the upper and lower */
+    bool choppy;   /* points move horizontally too: `evaluate` and `sample` fill shifts, `sample` areas */
 };
 
 /* Points of the surface: `count` numbers in each array. */
@@ -58,20 +91,29 @@ struct water_model {
     const char *source;             /* whose it is */
     const struct dpl_param *params; /* ends with PARAM_END; NULL: none */
     size_t params_size;
-    bool periodic; /* its left and right edges join, and its upper and lower */
-    bool choppy;   /* its points move horizontally too: `evaluate` and `sample` fill shifts */
+    size_t state_size; /* kept between frames, starts zeroed; 0: none */
 
-    /* Vertices a side of the grid that the model wants. */
-    int (*grid)(const struct water_setup *setup);
+    /* The grid; 0 vertices where the setup names no mesh and the model has no grid of its own. Needs no state. */
+    struct water_shape (*shape)(const struct water_setup *setup);
+    /* Brings the state to `time`; comes before the functions below. NULL: there is nothing to prepare. */
+    bool (*prepare)(void *state, const struct water_setup *setup, double time, const struct dpl_log *log);
     /* Fills heights and slopes of a surface that has that grid, at `time` seconds. */
     void (*evaluate)(const struct water_setup *setup, double time, struct surface *surface);
     /* The surface at any points, exact where the model is. May be called by several threads at once. */
     void (*sample)(const struct water_setup *setup, double time, struct water_points *points);
+    /* Where the scene's sphere now is. NULL: where the scene has put it. */
+    void (*sphere)(const struct water_setup *setup, double center[3]);
 
-    /* The same on the GPU; NULL: the grid is evaluated on the CPU and uploaded. The shader file defines
-     * `vec3 water(vec2 xz)` over `uniform vec4 constants[]`; `constants` writes what it needs, returns how many. */
+    /* The same on the GPU; all NULL: the grid is evaluated on the CPU and uploaded. Either a shader file that defines
+     * `vec3 water(vec2 xz)` over `uniform vec4 constants[]` (and, for a choppy model, `vec2 water_shift(vec2 xz)`);
+     * `constants` writes what it needs, returns how many. Or a function of its own that resizes and fills the texture
+     * of heights and slopes, and that of shifts where the model is choppy. */
     const char *shader;
     int (*constants)(const struct water_setup *setup, double time, float constants[WATER_CONSTANTS_MAX][4]);
+    bool (*draw)(void *state, struct dpl_gl *gl, const struct water_setup *setup, double time,
+                 struct gpu_texture *texels, struct gpu_texture *shifts);
+    /* Frees what the state owns and leaves it zeroed; gl is NULL where there is no OpenGL. */
+    void (*finish)(void *state, struct dpl_gl *gl);
 };
 
 extern const struct water_model *const water_models[]; /* ends with NULL */
@@ -82,6 +124,19 @@ const char *water_model_name(int i);
 /* The model's points; where it is not choppy, shifts are 0 and areas 1. */
 void water_sample(const struct water_model *model, const struct water_setup *setup, double time,
                   struct water_points *points);
+
+/* The model's state, made where there is none yet. NULL where the model has none, or memory is short (logged). */
+void *water_state(const struct water_model *model, const struct water_setup *setup, const struct dpl_log *log);
+
+/* Readies the model for `time`: what comes before everything else that is asked of it at that time. */
+bool water_prepare(const struct water_model *model, const struct water_setup *setup, double time,
+                   const struct dpl_log *log);
+
+/* Frees all states. */
+void water_memory_finish(struct water_memory *memory, struct dpl_gl *gl);
+
+/* Where the scene's sphere is at the time that the model has been readied for. */
+void water_sphere_center(const struct water_model *model, const struct water_setup *setup, double center[3]);
 
 /* Gives the surface the model's grid, heights and slopes at `time`. */
 bool water_evaluate(const struct water_model *model, const struct water_setup *setup, double time,
