@@ -4,9 +4,10 @@
 
 #include <stdlib.h>
 
-extern const struct light_technique light_coverage, light_multi_sample, light_reference;
+extern const struct light_technique light_coverage, light_multi_sample, light_precomputed, light_reference;
 
-const struct light_technique *const light_techniques[] = {&light_coverage, &light_multi_sample, &light_reference, NULL};
+const struct light_technique *const light_techniques[] = {&light_coverage, &light_multi_sample, &light_precomputed,
+                                                          &light_reference, NULL};
 
 const char *light_technique_name(int i)
 {
