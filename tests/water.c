@@ -22,6 +22,9 @@ static const char *const scenes[] = {
     "[scene]\nsize = 8\n[water]\nmodel = collard\n[collard]\nwave = preset-4\namplitude = 0.2\nspace_unit = 2\n",
     "[scene]\nsize = 3\n[water]\nmodel = collard\n[collard]\nwave = radial\ncells = 2\ntime_unit = 0.5\n",
     "[water]\nmodel = collard\n[collard]\nwave = ripple\namplitude = 0.1\ncells = 31\n",
+    "[water]\nmodel = ocean\n[ocean]\nresolution = 64\ncascades = 1\n",
+    "[scene]\nsize = 12\ndepth = 4\nloop = 10\n[water]\nmodel = ocean\n[caustics]\nmesh = 45\n"
+    "[ocean]\nspectrum = phillips\nresolution = 32\ncascades = 3\nwind_speed = 3\n",
 };
 enum { SCENES = sizeof scenes / sizeof *scenes };
 
