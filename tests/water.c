@@ -24,6 +24,9 @@ static const char *const scenes[] = {
     "[water]\nmodel = collard\n[collard]\nwave = ripple\namplitude = 0.1\ncells = 31\n",
     "[water]\nmodel = fbm\n[caustics]\nmesh = 40\n",
     "[scene]\nsize = 9\nloop = 2\n[water]\nmodel = fbm\n[fbm]\nterms = 9\nscale = 0.1\n[caustics]\nmesh = 31\n",
+    "[water]\nmodel = ocean\n[ocean]\nresolution = 64\ncascades = 1\n",
+    "[scene]\nsize = 12\ndepth = 4\nloop = 10\n[water]\nmodel = ocean\n[caustics]\nmesh = 45\n"
+    "[ocean]\nspectrum = phillips\nresolution = 32\ncascades = 3\nwind_speed = 3\n",
 };
 enum { SCENES = sizeof scenes / sizeof *scenes };
 
