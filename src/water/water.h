@@ -30,6 +30,7 @@ struct wave {
     double amplitude; /* m */
     double phase;     /* degrees */
     double period;    /* s; 0: from the dispersion relation */
+    double steepness; /* 0: a sine; 1: a cusp at the crest, where the wave is alone */
 };
 extern const struct dpl_param water_wave_params[];
 
