@@ -21,7 +21,7 @@ void sun_map_disc(struct sun_map *map)
 
 bool sun_map_read(struct sun_map *map, const char *path, const struct dpl_log *log)
 {
-    struct dpl_image *image = io_png_read(path, log);
+    struct dpl_image *image = io_read(path, log);
     if (!image)
         return false;
     bool square = image->width == image->height && image->width > 1;
