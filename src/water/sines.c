@@ -134,75 +134,66 @@ VECTOR_CLONES static void fill_chunk(const struct motion *motion, const struct t
     }
 }
 
-/* How points move, and how what is next to them is stretched: 1 - J. */
-struct shifts {
-    float x[CHUNK], z[CHUNK], xx[CHUNK], xz[CHUNK], zz[CHUNK];
-};
-
-VECTOR_CLONES static void shift_chunk(const struct motion *motion, const struct turn *turns, double x, double z,
-                                      struct shifts *restrict shifts)
+/* Slopes over the points at rest become those of the surface where the points are now; xx, xz, zz are 1 - J. Returns
+ * det J. */
+VECTOR_PART double move_slopes(double xx, double xz, double zz, double slopes[2])
 {
-    *shifts = (struct shifts){0};
-    for (int w = 0; w < motion->count; w++) {
-        const struct turn *turn = turns + w;
-        double first_sine, first_cosine, kx = 2 * M_PI * motion->along_x[w], kz = 2 * M_PI * motion->along_z[w];
-        sine_cosine(motion->along_x[w] * x + motion->along_z[w] * z + motion->phase[w], &first_sine, &first_cosine);
-        float from_sine = (float)first_sine, from_cosine = (float)first_cosine;
-        float shift_x = (float)(-motion->curl[w] * kx), shift_z = (float)(-motion->curl[w] * kz);
-        float xx = (float)(motion->curl[w] * kx * kx), xz = (float)(motion->curl[w] * kx * kz);
-        float zz = (float)(motion->curl[w] * kz * kz);
-        for (int i = 0; i < CHUNK; i++) {
-            float sine = from_sine * turn->cosine[i] + from_cosine * turn->sine[i];
-            float cosine = from_cosine * turn->cosine[i] - from_sine * turn->sine[i];
-            shifts->x[i] += shift_x * sine;
-            shifts->z[i] += shift_z * sine;
-            shifts->xx[i] += xx * cosine;
-            shifts->xz[i] += xz * cosine;
-            shifts->zz[i] += zz * cosine;
-        }
-    }
-}
-
-/* Slopes over the points at rest become those of the surface where the points are now. Returns det J. */
-static double move_slopes(double xx, double xz, double zz, double *slope_x, double *slope_z)
-{
-    double area = (1 - xx) * (1 - zz) - xz * xz, divisor = fmax(area, AREA_MIN), at_rest = *slope_x;
-    *slope_x = ((1 - zz) * at_rest + xz * *slope_z) / divisor;
-    *slope_z = ((1 - xx) * *slope_z + xz * at_rest) / divisor;
+    double area = (1 - xx) * (1 - zz) - xz * xz, at_rest[2] = {slopes[0], slopes[1]};
+    double per_area = 1 / (AREA_MIN + 0.5 * (area - AREA_MIN + fabs(area - AREA_MIN)));
+    slopes[0] = ((1 - zz) * at_rest[0] + xz * at_rest[1]) * per_area;
+    slopes[1] = ((1 - xx) * at_rest[1] + xz * at_rest[0]) * per_area;
     return area;
 }
 
-/* Moves the points of a row whose heights and slopes are those at rest. */
-static void shift_row(const struct motion *motion, const struct turn *turns, struct surface *surface, int row)
+VECTOR_CLONES static void shift_chunk(const struct motion *motion, const struct turn *turns, double x, double z,
+                                      float slope_x[restrict CHUNK], float slope_z[restrict CHUNK],
+                                      float shift_x[restrict CHUNK], float shift_z[restrict CHUNK])
 {
-    double spacing = surface_spacing(surface), half = surface->size / 2;
-    size_t first = (size_t)row * (size_t)surface->columns;
-    float *texel = surface->texels + first * 3, *shift = surface->shifts + first * 2;
-    for (int start = 0; start < surface->columns; start += CHUNK) {
-        struct shifts shifts;
-        shift_chunk(motion, turns, start * spacing - half, row * spacing - half, &shifts);
-        for (int i = 0; i < CHUNK && start + i < surface->columns; i++, texel += 3, shift += 2) {
-            double slope_x = texel[1], slope_z = texel[2];
-            move_slopes(shifts.xx[i], shifts.xz[i], shifts.zz[i], &slope_x, &slope_z);
-            texel[1] = (float)slope_x;
-            texel[2] = (float)slope_z;
-            shift[0] = shifts.x[i];
-            shift[1] = shifts.z[i];
+    float xx[CHUNK] = {0}, xz[CHUNK] = {0}, zz[CHUNK] = {0};
+    for (int i = 0; i < CHUNK; i++)
+        shift_x[i] = shift_z[i] = 0;
+    for (int w = 0; w < motion->count; w++) {
+        double sine, cosine, kx = 2 * M_PI * motion->along_x[w], kz = 2 * M_PI * motion->along_z[w];
+        sine_cosine(motion->along_x[w] * x + motion->along_z[w] * z + motion->phase[w], &sine, &cosine);
+        float first_sine = (float)(motion->curl[w] * sine), first_cosine = (float)(motion->curl[w] * cosine);
+        float along_x = (float)kx, along_z = (float)kz;
+        for (int i = 0; i < CHUNK; i++) {
+            float curl_sine = first_sine * turns[w].cosine[i] + first_cosine * turns[w].sine[i];
+            float curl_cosine = first_cosine * turns[w].cosine[i] - first_sine * turns[w].sine[i];
+            shift_x[i] -= along_x * curl_sine;
+            shift_z[i] -= along_z * curl_sine;
+            xx[i] += along_x * along_x * curl_cosine;
+            xz[i] += along_x * along_z * curl_cosine;
+            zz[i] += along_z * along_z * curl_cosine;
         }
+    }
+    for (int i = 0; i < CHUNK; i++) {
+        double slopes[2] = {slope_x[i], slope_z[i]};
+        move_slopes(xx[i], xz[i], zz[i], slopes);
+        slope_x[i] = (float)slopes[0];
+        slope_z[i] = (float)slopes[1];
     }
 }
 
 static void fill_row(const struct motion *motion, const struct turn *turns, struct surface *surface, int row)
 {
     double spacing = surface_spacing(surface), half = surface->size / 2;
-    float *texel = surface->texels + (size_t)row * (size_t)surface->columns * 3;
+    size_t first = (size_t)row * (size_t)surface->columns;
+    float *texel = surface->texels + first * 3, *shift = motion->choppy ? surface->shifts + first * 2 : NULL;
     for (int start = 0; start < surface->columns; start += CHUNK) {
-        float height[CHUNK], slope_x[CHUNK], slope_z[CHUNK];
-        fill_chunk(motion, turns, start * spacing - half, row * spacing - half, height, slope_x, slope_z);
+        float height[CHUNK], slope_x[CHUNK], slope_z[CHUNK], shift_x[CHUNK], shift_z[CHUNK];
+        double x = start * spacing - half, z = row * spacing - half;
+        fill_chunk(motion, turns, x, z, height, slope_x, slope_z);
+        if (shift)
+            shift_chunk(motion, turns, x, z, slope_x, slope_z, shift_x, shift_z);
         for (int i = 0; i < CHUNK && start + i < surface->columns; i++, texel += 3) {
             texel[0] = height[i];
             texel[1] = slope_x[i];
             texel[2] = slope_z[i];
+        }
+        for (int i = 0; i < CHUNK && start + i < surface->columns && shift; i++, shift += 2) {
+            shift[0] = shift_x[i];
+            shift[1] = shift_z[i];
         }
     }
 }
@@ -221,11 +212,8 @@ static void evaluate(const struct water_setup *setup, double time, struct surfac
         }
     }
 #pragma omp parallel for
-    for (int j = 0; j < surface->rows; j++) {
+    for (int j = 0; j < surface->rows; j++)
         fill_row(&motion, turns, surface, j);
-        if (motion.choppy)
-            shift_row(&motion, turns, surface, j);
-    }
 }
 
 VECTOR_CLONES static void add_wave(const struct motion *motion, int w, int count, const double *restrict x,
@@ -243,7 +231,7 @@ VECTOR_CLONES static void add_wave(const struct motion *motion, int w, int count
     }
 }
 
-/* How points move, and how what is next to them is stretched: 1 - J. */
+/* Adds how points move, and how what is next to them is stretched: 1 - J. */
 VECTOR_CLONES static void add_shift(const struct motion *motion, int w, int count, const double *restrict x,
                                     const double *restrict z, double *restrict shift_x, double *restrict shift_z,
                                     double *restrict xx, double *restrict xz, double *restrict zz)
@@ -272,9 +260,12 @@ static void shift_points(const struct motion *motion, int from, int count, struc
     for (int w = 0; w < motion->count; w++)
         add_shift(motion, w, count, points->x + from, points->z + from, points->shift_x + from, points->shift_z + from,
                   xx, xz, zz);
-    for (int i = 0; i < count; i++)
-        points->area[from + i] =
-            move_slopes(xx[i], xz[i], zz[i], points->slope_x + from + i, points->slope_z + from + i);
+    for (int i = 0; i < count; i++) {
+        double slopes[2] = {points->slope_x[from + i], points->slope_z[from + i]};
+        points->area[from + i] = move_slopes(xx[i], xz[i], zz[i], slopes);
+        points->slope_x[from + i] = slopes[0];
+        points->slope_z[from + i] = slopes[1];
+    }
 }
 
 static void sample(const struct water_setup *setup, double time, struct water_points *points)
