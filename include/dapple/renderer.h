@@ -67,6 +67,13 @@ DPL_API bool dpl_renderer_draw(struct dpl_renderer *renderer, const struct dpl_s
 DPL_API struct dpl_image *dpl_renderer_picture(struct dpl_renderer *renderer, const struct dpl_scene *scene,
                                                double time, int width, int height);
 
+/* Has a drop fall into the water of the next frame, where its model can be disturbed (`ripples`): the surface moves by
+ * `height` metres (up, or down where it is negative) at (x, z), and less and less up to `radius` metres around. */
+DPL_API void dpl_renderer_drop(struct dpl_renderer *renderer, double x, double z, double radius, double height);
+
+/* Where the middle of the scene's sphere (`[sphere]`) was in the last picture; false where it had none. */
+DPL_API bool dpl_renderer_sphere(const struct dpl_renderer *renderer, double center[3]);
+
 /* How the pictures of dpl_renderer_draw() and dpl_renderer_picture() compare the scene's technique with another one. */
 enum dpl_comparison {
     DPL_COMPARE_NOTHING,    /* the picture by the scene's technique alone */

@@ -1,29 +1,10 @@
 /* Collard & Mundi 2022, section 3.6: Phong's shading, its green weighted by 2q - q², its highlights white above a threshold,
  * its opacity q plus the highlight. */
-#ifdef VERTEX
-#include "water/surface.glsl"
-uniform mat4 view_projection;
-uniform int columns; /* vertices in a row of the mesh, the repeated edge of a periodic surface included */
-uniform int swapped; /* rows follow each other along x */
-out vec3 position, normal;
-
-void main()
-{
-    ivec2 vertex = ivec2(gl_VertexID % columns, gl_VertexID / columns);
-    if (swapped != 0)
-        vertex = vertex.yx;
-    vec3 texel = surface_vertex(vertex);
-    vec2 xz = vec2(vertex) * surface_spacing() - 0.5 * surface_size;
-    position = vec3(xz.x, texel.x, xz.y);
-    normal = normalize(vec3(-texel.y, 1.0, -texel.z));
-    gl_Position = view_projection * vec4(position, 1.0);
-}
-#endif
+#include "render/water_mesh.glsl"
 
 #ifdef FRAGMENT
 uniform vec3 eye, lamp_position, lamp_color, water_color;
 uniform float ambient, shininess, threshold;
-in vec3 position, normal;
 out vec4 color;
 
 void main()

@@ -5,12 +5,12 @@
 #include "render/camera.h"
 #include "render/difference.h"
 #include "render/lighting.h"
-#include "render/look_collard.h"
 #include "render/sand.h"
 #include "render/thumbnail.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 struct dpl_renderer {
     struct dpl_gl *gl; /* NULL: CPU only */
@@ -19,9 +19,11 @@ struct dpl_renderer {
     struct lighting lighting;
     struct dpl_compare compare;
     bool compared; /* the maps made last are two */
+    bool has_sphere;
+    double sphere[3]; /* m, its middle in the last picture */
     struct difference difference;
     struct sand sand;
-    struct look_collard_state look_collard;
+    void *look_states[SCENE_LOOKS_MAX]; /* made when first used */
     struct gpu_target target;
     struct thumbnails thumbnails;
     unsigned char *pixels; /* a picture on its way back from the GPU */
@@ -50,11 +52,15 @@ void dpl_renderer_destroy(struct dpl_renderer *renderer)
     if (gl) {
         difference_finish(gl, &renderer->difference);
         sand_finish(gl, &renderer->sand);
-        look_collard_finish(&renderer->look_collard, gl);
         target_finish(gl, &renderer->target);
         thumbnails_finish(gl, &renderer->thumbnails);
+        for (int i = 0; scene_looks[i]; i++)
+            if (renderer->look_states[i])
+                scene_looks[i]->finish(renderer->look_states[i], gl);
         gpu_leave(gl, 0);
     }
+    for (int i = 0; scene_looks[i]; i++)
+        free(renderer->look_states[i]);
     free(renderer->pixels);
     free(renderer);
 }
@@ -115,14 +121,23 @@ struct dpl_image *dpl_renderer_map(struct dpl_renderer *renderer, const struct d
     return dpl_renderer_slice(renderer, scene, time, 0);
 }
 
+static void set_wireframe(struct dpl_gl *gl, bool on)
+{
+    if (gl->PolygonMode)
+        gl->PolygonMode(GL_FRONT_AND_BACK, on ? GL_LINE : GL_FILL);
+}
+
 /* The picture from a map, in columns `left` to `right` of the target alone. */
-static bool draw_part(struct dpl_renderer *renderer, struct frame *frame, const struct lit_map *lit, int left,
+static void draw_part(struct dpl_renderer *renderer, struct frame *frame, const struct lit_map *lit, int left,
                       int right)
 {
-    struct dpl_gl *gl = renderer->gl;
+    const int look = frame->scene->render.look;
     frame->map = lit->shown;
-    gl->Scissor(left, 0, right - left, renderer->target.height);
-    return left == right || look_collard_draw(&renderer->look_collard, frame);
+    renderer->gl->Scissor(left, 0, right - left, renderer->target.height);
+    set_wireframe(renderer->gl, frame->scene->render.wireframe);
+    if (left < right)
+        scene_looks[look]->draw(renderer->look_states[look], frame);
+    set_wireframe(renderer->gl, false);
 }
 
 /* The scene's picture; or, where techniques are compared, part of each, or the difference of their maps. */
@@ -138,10 +153,20 @@ static bool draw_picture(struct dpl_renderer *renderer, struct frame *frame)
     if (compare->mode == DPL_COMPARE_SPLIT)
         split = (int)lround(fmin(fmax(compare->place, 0), 1) * width);
     renderer->gl->Enable(GL_SCISSOR_TEST);
-    bool ok = draw_part(renderer, frame, maps + LIT_SCENE, 0, split) &&
-              draw_part(renderer, frame, maps + LIT_OTHER, split, width);
+    draw_part(renderer, frame, maps + LIT_SCENE, 0, split);
+    draw_part(renderer, frame, maps + LIT_OTHER, split, width);
     renderer->gl->Disable(GL_SCISSOR_TEST);
-    return ok;
+    return true;
+}
+
+static bool prepare_look(struct dpl_renderer *renderer, const struct frame *frame)
+{
+    const int index = frame->scene->render.look;
+    const struct scene_look *look = scene_looks[index];
+    void **state = renderer->look_states + index;
+    if (!*state)
+        *state = base_allocate(renderer->log, 1, look->state_size, look->name);
+    return *state && look->prepare(*state, frame);
 }
 
 /* Surface, light and look into the renderer's own target. */
@@ -161,12 +186,21 @@ static bool draw_frame(struct dpl_renderer *renderer, const struct dpl_scene *sc
     struct frame frame = {
         .gl = gl,
         .scene = scene,
+        .params = scene->look_params[scene->render.look],
+        .time = time,
+        .setup = &renderer->lighting.setup,
         .surface = &renderer->lighting.surface_gpu,
         .windows = renderer->lighting.windows,
         .sand = &renderer->sand.color,
         .timer = &renderer->timer,
     };
+    renderer->has_sphere = scene->sphere.radius > 0;
+    water_sphere_center(water_models[scene->medium.model], &renderer->lighting.setup, renderer->sphere);
+    memcpy(frame.sphere, renderer->sphere, sizeof frame.sphere);
     camera_matrix(&scene->camera, width, height, frame.view_projection);
+    frame.rays = camera_rays(&scene->camera, width, height);
+    if (!prepare_look(renderer, &frame))
+        return false;
     target_begin(gl, &renderer->target, scene->render.background);
     bool ok = draw_picture(renderer, &frame);
     timer_pass(&renderer->timer, "finish");
@@ -208,6 +242,18 @@ struct dpl_image *dpl_renderer_picture(struct dpl_renderer *renderer, const stru
     bool ok = draw_frame(renderer, scene, time, width, height);
     timer_pass(&renderer->timer, NULL);
     return leave_with_image(renderer, ok ? read_picture(renderer) : NULL);
+}
+
+void dpl_renderer_drop(struct dpl_renderer *renderer, double x, double z, double radius, double height)
+{
+    lighting_drop(&renderer->lighting, (struct water_drop){x, z, radius, height});
+}
+
+bool dpl_renderer_sphere(const struct dpl_renderer *renderer, double center[3])
+{
+    for (int c = 0; c < 3; c++)
+        center[c] = renderer->sphere[c];
+    return renderer->has_sphere;
 }
 
 void dpl_renderer_progress(struct dpl_renderer *renderer, bool (*step)(void *user, double done), void *user)

@@ -1,25 +1,35 @@
-/* scene/look.h: the values of the renderer's looks. */
+/* scene/look.h: the interface of a look, which draws the picture, and the list of them.
+ *
+ * A look is one file in src/render/, its shaders beside it; it stands above the scene, which knows it only by this
+ * interface. A new look is a copy of src/render/look_collard.c and one line in look.c. */
 #ifndef SCENE_LOOK_H
 #define SCENE_LOOK_H
 
 #include "base/param.h"
+#include "gpu/gl.h"
 
-enum scene_look { LOOK_COLLARD };
-const char *look_name(int i);
+struct frame; /* render/frame.h */
 
-/* [look.collard]: sections 3.5 and 3.6 of Collard & Mundi 2022. */
-struct look_collard {
-    /* floor */
-    double sand_share;     /* of the sand's colour that shows without caustics */
-    double attenuation[3]; /* a / (b g² + c g + 1), at most 1, g the depth */
-    double brightest;      /* in units of the sand's colour */
-    double floor_tint;     /* of the water's colour, added */
-    /* water */
-    double water_color[3], lamp_color[3], lamp_position[3];
-    double ambient;
-    double shininess;
-    double threshold; /* mean of the highlight above which it is white */
+struct scene_look {
+    const char *name;
+    const char *section;            /* of its values in scene text: "look.NAME" */
+    const char *summary;            /* one line: what it shows, and whose it is */
+    const struct dpl_param *params; /* ends with PARAM_END */
+    size_t params_size;
+    size_t state_size; /* kept between frames, starts zeroed */
+
+    /* Readies programs, and textures that draw() needs. */
+    bool (*prepare)(void *state, const struct frame *frame);
+    /* Draws the picture into the bound target, cleared to render.background, within the scissor box that is set. */
+    void (*draw)(void *state, const struct frame *frame);
+    /* Frees what the state owns. */
+    void (*finish)(void *state, struct dpl_gl *gl);
 };
-extern const struct dpl_param look_collard_params[];
+
+#define SCENE_LOOKS_MAX 8
+extern const struct scene_look *const scene_looks[]; /* ends with NULL */
+
+/* The i-th look's name, NULL past the last: the choices of `render.look`. */
+const char *scene_look_name(int i);
 
 #endif

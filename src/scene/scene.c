@@ -33,7 +33,7 @@ static const struct dpl_param floor_params[] = {
 };
 
 static const struct dpl_param render_params[] = {
-    PARAM_CHOICE(struct scene_render, look, LOOK_COLLARD, look_name, "how the scene is shaded"),
+    PARAM_CHOICE(struct scene_render, look, 0, scene_look_name, "how the scene is shaded"),
     PARAM_COLOR(struct scene_render, background, 1, "colour where there is nothing", 51.0 / 255, 71.0 / 255,
                 79.0 / 255),
     PARAM_INT(struct scene_render, samples, 1, 1, 16, "",
@@ -50,7 +50,7 @@ struct fixed_section {
 };
 static const struct fixed_section fixed_sections[] = {
     {"scene", "the tile of water", settings_params, offsetof(struct dpl_scene, settings)},
-    {"sun", "the sun (multi-sample has its own, straight overhead)", optics_sun_params,
+    {"sun", "the sun (multi-sample, pixel-ray and vertex-ray have their own, straight overhead)", optics_sun_params,
      offsetof(struct dpl_scene, sun)},
     {"water", "the water and its waves", water_medium_params, offsetof(struct dpl_scene, medium)},
     {"sphere", "a ball in the water", water_sphere_params, offsetof(struct dpl_scene, sphere)},
@@ -58,10 +58,8 @@ static const struct fixed_section fixed_sections[] = {
     {"camera", "the view", camera_params, offsetof(struct dpl_scene, camera)},
     {"floor", "the sand", floor_params, offsetof(struct dpl_scene, floor)},
     {"render", "the picture", render_params, offsetof(struct dpl_scene, render)},
-    {"look.collard", "shading as in Collard & Mundi 2022", look_collard_params,
-     offsetof(struct dpl_scene, look_collard)},
 };
-enum { FIXED_COUNT = sizeof fixed_sections / sizeof *fixed_sections, FIXED_LOOK_COLLARD = FIXED_COUNT - 1 };
+enum { FIXED_COUNT = sizeof fixed_sections / sizeof *fixed_sections };
 
 static void *allocate_params(const struct dpl_param *params, size_t size, const struct dpl_log *log)
 {
@@ -94,6 +92,10 @@ struct dpl_scene *dpl_scene_create(const struct dpl_log *log)
         scene->technique_params[i] = allocate_params(technique->params, technique->params_size, log);
         ok = ok && (!technique->params || scene->technique_params[i]);
     }
+    for (int i = 0; scene_looks[i]; i++) {
+        scene->look_params[i] = allocate_params(scene_looks[i]->params, scene_looks[i]->params_size, log);
+        ok = ok && scene->look_params[i];
+    }
     if (ok)
         return scene;
     dpl_scene_destroy(scene);
@@ -108,6 +110,8 @@ void dpl_scene_destroy(struct dpl_scene *scene)
         free(scene->model_params[i]);
     for (int i = 0; light_techniques[i]; i++)
         free(scene->technique_params[i]);
+    for (int i = 0; scene_looks[i]; i++)
+        free(scene->look_params[i]);
     free(scene);
 }
 
@@ -126,8 +130,7 @@ struct dpl_section dpl_scene_section(const struct dpl_scene *scene, int index)
     char *base = (char *)scene;
     if (index < FIXED_COUNT) {
         const struct fixed_section *fixed = fixed_sections + index;
-        bool active = index != FIXED_LOOK_COLLARD || scene->render.look == LOOK_COLLARD;
-        return (struct dpl_section){fixed->name, fixed->help, fixed->params, base + fixed->offset, active};
+        return (struct dpl_section){fixed->name, fixed->help, fixed->params, base + fixed->offset, true};
     }
     index -= FIXED_COUNT;
     for (int i = 0; water_models[i]; i++)
@@ -139,6 +142,10 @@ struct dpl_section dpl_scene_section(const struct dpl_scene *scene, int index)
             return (struct dpl_section){light_techniques[i]->name, light_techniques[i]->summary,
                                         light_techniques[i]->params, scene->technique_params[i],
                                         scene->caustics.technique == i};
+    for (int i = 0; scene_looks[i]; i++)
+        if (index-- == 0)
+            return (struct dpl_section){scene_looks[i]->section, scene_looks[i]->summary, scene_looks[i]->params,
+                                        scene->look_params[i], scene->render.look == i};
     return wave_section(scene, index);
 }
 

@@ -26,7 +26,7 @@ struct scene_floor {
 };
 
 struct scene_render {
-    int look; /* enum scene_look */
+    int look; /* index into scene_looks */
     double background[3];
     int samples;
     bool wireframe;
@@ -42,9 +42,9 @@ struct dpl_scene {
     struct scene_camera camera;
     struct scene_floor floor;
     struct scene_render render;
-    struct look_collard look_collard;
     void *model_params[WATER_MODELS_MAX];         /* as water_models; NULL: it has none */
     void *technique_params[SCENE_TECHNIQUES_MAX]; /* as light_techniques */
+    void *look_params[SCENE_LOOKS_MAX];           /* as scene_looks */
     struct wave waves[WATER_WAVES_MAX];           /* [wave.N] is entry N - 1 */
     bool wave_present[WATER_WAVES_MAX];
     char wave_names[WATER_WAVES_MAX][12]; /* "wave.1", … */
