@@ -7,6 +7,8 @@
 
 #include <math.h>
 
+#define PICTURES "heights-%d.pfm" /* three of them, in the folder that the test runs in */
+
 /* Settings that every model is held against; each line is one scene. */
 static const char *const scenes[] = {
     "[water]\nmodel = sines\n[caustics]\nmesh = 24\n[wave.1]\ncycles = 3 1\namplitude = 0.02\n",
@@ -27,6 +29,13 @@ static const char *const scenes[] = {
     "[water]\nmodel = collard\n[collard]\nwave = ripple\namplitude = 0.1\ncells = 31\n",
     "[water]\nmodel = fbm\n[caustics]\nmesh = 40\n",
     "[scene]\nsize = 9\nloop = 2\n[water]\nmodel = fbm\n[fbm]\nterms = 9\nscale = 0.1\n[caustics]\nmesh = 31\n",
+    "[water]\nmodel = heightfield\n[caustics]\nmesh = 24\n[heightfield]\nfile = " PICTURES "\nscale = 0.1\nrate = 2\n",
+    "[scene]\nloop = 7\n[water]\nmodel = heightfield\n[caustics]\nmesh = 37\n"
+    "[heightfield]\nfile = " PICTURES "\noffset = -0.05\nperiodic = no\nfirst = 1\n",
+    "[water]\nmodel = sum\n[caustics]\nmesh = 40\n[wave.1]\ncycles = 2 1\n[sum]\nsecond = sines\n",
+    "[water]\nmodel = sum\n[sum]\nsecond = collard\n[caustics]\nmesh = 40\n[wave.1]\ncycles = 2 1\n",
+    "[water]\nmodel = sum\n[sum]\nsecond = heightfield\n[heightfield]\nfile = " PICTURES "\nscale = 0.1\n[caustics]\n"
+    "mesh = 32\n[wave.1]\ncycles = 2 1\nsteepness = 0.5\n[wave.2]\ncycles = -4 5\nsteepness = 0.2\n",
 };
 enum { SCENES = sizeof scenes / sizeof *scenes };
 
@@ -260,6 +269,31 @@ static void normals_between_vertices_are_blended_over_triangles(void **state)
     every_water(check_normal_map);
 }
 
+/* Bumps that join at the edges, and move. */
+static int write_pictures(void **state)
+{
+    static char folder[64];
+    *state = folder;
+    support_folder_make(folder);
+    assert_int_equal(chdir(folder), 0);
+    for (int frame = 0; frame < 3; frame++) {
+        char name[32];
+        struct dpl_image *image = dpl_image_create(24, 24, NULL);
+        for (int i = 0; i < 24 * 24; i++)
+            image->pixels[i * 3] =
+                (float)(0.5 + 0.3 * sin(2 * M_PI * (i % 24) / 24 - frame) * cos(M_PI * (i / 24) / 6));
+        snprintf(name, sizeof name, "heights-%d.pfm", frame);
+        assert_true(dpl_image_save(image, name, NULL, NULL));
+        dpl_image_destroy(image);
+    }
+    return 0;
+}
+
+static int remove_pictures(void **state)
+{
+    return support_folder_count(*state, true) == 3 ? 0 : -1;
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -268,5 +302,5 @@ int main(void)
         cmocka_unit_test(water_repeats_beyond_the_tile_and_from_run_to_run),
         cmocka_unit_test(normals_between_vertices_are_blended_over_triangles),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, write_pictures, remove_pictures);
 }
