@@ -8,7 +8,7 @@
  * What lies between the centres is not seen: where the water focuses, triangles are thinner than a texel, and chance
  * decides which of them count, with the more light the thinner they are. `most` keeps these from shining. `coverage`
  * shares the same light out by the areas of texels. */
-#include "light/tracing.h"
+#include "light/beams.h"
 
 #include "base/log.h"
 
@@ -17,10 +17,6 @@
 
 #define STEPS 256         /* a texel, of corners: triangles with a common edge neither overlap nor leave a gap */
 #define EXTENT_MAX 0x1p20 /* texels of a triangle; wider ones, of bounded water, are too dim to be seen */
-
-struct beams {
-    double most;
-};
 
 static const struct dpl_param params[] = {
     PARAM_FLOAT(struct beams, most, 64, 1, 1000000, "",
@@ -40,6 +36,7 @@ struct state {
     struct vertex *vertices; /* rows × columns, with the repeated edge of a periodic surface */
     size_t room;
     struct tracing_sums sums;
+    struct beams_gpu gpu;
 };
 
 /* What is the same for all rays to one receiver. */
@@ -234,10 +231,17 @@ static bool trace(void *state_, const struct light_input *input, struct light_ma
     return true;
 }
 
+static bool draw(void *state_, struct dpl_gl *gl, const struct light_input *input, struct gpu_texture *map)
+{
+    struct state *state = state_;
+    return beams_gpu_draw(&state->gpu, gl, input, map);
+}
+
 static void finish(void *state_, struct dpl_gl *gl)
 {
     struct state *state = state_;
-    (void)gl;
+    if (gl)
+        beams_gpu_finish(&state->gpu, gl);
     free(state->vertices);
     tracing_sums_finish(&state->sums);
     *state = (struct state){0};
@@ -252,7 +256,9 @@ const struct light_technique light_beams = {
     .state_size = sizeof(struct state),
     .channels = 3,
     .physical = true,
+    .energy = 0.1,
     .reflects = true,
     .trace = trace,
+    .draw = draw,
     .finish = finish,
 };

@@ -17,10 +17,11 @@
 #include <math.h>
 #include <string.h>
 
-#define MEETINGS 2        /* steps of Newton's method: what is left is far below a texel */
+#define MEETINGS 4        /* places of the surface looked at, at most */
+#define NEAR 0.02         /* texels from where a ray meets the surface: near enough */
 #define NARROWEST 1e-3    /* degrees, of a lamp: a point is never met */
 #define LEVELEST 1e-3     /* vertical part of a direction that still meets the water */
-#define FACING_LEAST 0.25 /* of a ray, for that: steps stay short where it grazes the surface */
+#define FACING_LEAST 0.25 /* of a ray and the surface: a step stays short where they graze each other */
 
 struct hemisphere {
     int candidates;
@@ -47,7 +48,8 @@ struct task {
     const struct light_input *input;
     struct tracing_surface surface;
     struct tracing_view view;
-    double receiver; /* m */
+    double near_square; /* m² */
+    double receiver;    /* m */
     enum ray_kind kind;
     struct optics_disc lamp;
     double lamp_cosine;
@@ -93,17 +95,20 @@ static void choose_direction(const struct task *task, double u, double v, double
 /* Step 2: a ray from `from`, x and z on the receiver. */
 static bool meet(const struct task *task, const double from[2], const double direction[3], struct ray_point *point)
 {
-    const double run[2] = {direction[0] / direction[1], direction[2] / direction[1]}; /* for each metre of height */
+    const double per_height = 1 / direction[1], run[2] = {direction[0] * per_height, direction[2] * per_height};
     double place[2] = {from[0] - run[0] * task->receiver, from[1] - run[1] * task->receiver}, facing = 1;
-    for (int step = 0; step <= MEETINGS; step++) {
+    for (int look = 0; look < MEETINGS; look++) {
         if (!tracing_surface_at(&task->surface, place[0], place[1], point))
             return false;
         double rise = point->height - task->receiver;
         double off[2] = {from[0] + run[0] * rise - point->x, from[1] + run[1] * rise - point->z};
-        double higher = off[0] * point->slope_x + off[1] * point->slope_z;
         facing = 1 - run[0] * point->slope_x - run[1] * point->slope_z;
+        if (off[0] * off[0] + off[1] * off[1] < task->near_square)
+            break;
+        double higher = off[0] * point->slope_x + off[1] * point->slope_z;
+        double reach = higher / (facing > FACING_LEAST ? facing : FACING_LEAST);
         for (int k = 0; k < 2; k++)
-            place[k] += off[k] + run[k] * higher / (facing > FACING_LEAST ? facing : FACING_LEAST);
+            place[k] += off[k] + run[k] * reach;
     }
     return facing > 0;
 }
@@ -207,6 +212,7 @@ static bool trace(void *state_, const struct light_input *input, struct light_ma
         task.receiver = input->receivers[slice];
         task.kind = ray_kind_of(task.receiver);
         task.view = tracing_view_of(input, input->surface->periodic, map->side, slice);
+        task.near_square = pow(NEAR / task.view.texels_a_meter, 2);
         aim(&task);
         useful += (double)trace_slice(&task, map, slice);
     }
@@ -233,6 +239,7 @@ const struct light_technique light_hemisphere = {
     .state_size = sizeof(struct state),
     .channels = 3,
     .physical = true,
+    .energy = 0.05,
     .reflects = true,
     .trace = trace,
     .finish = finish,

@@ -140,6 +140,7 @@ const struct light_technique light_photons = {
     .state_size = sizeof(struct state),
     .channels = 3,
     .physical = true,
+    .energy = 0.005,
     .reflects = true,
     .trace = trace,
     .finish = finish,
