@@ -127,19 +127,25 @@ static void set_wireframe(struct dpl_gl *gl, bool on)
         gl->PolygonMode(GL_FRONT_AND_BACK, on ? GL_LINE : GL_FILL);
 }
 
-/* The picture from a map, in columns `left` to `right` of the target alone. */
-static bool draw_part(struct dpl_renderer *renderer, struct frame *frame, const struct lit_map *lit, int left,
-                      int right)
+static bool ready_look(struct dpl_renderer *renderer, const struct frame *frame)
 {
     const int index = frame->scene->render.look;
     const struct scene_look *look = scene_looks[index];
     void **state = renderer->look_states + index;
     if (!*state)
         *state = base_allocate(renderer->log, 1, look->state_size, look->name);
+    return *state && (!look->prepare || look->prepare(*state, frame));
+}
+
+/* The picture from a map, in columns `left` to `right` of the target alone. */
+static bool draw_part(struct dpl_renderer *renderer, struct frame *frame, const struct lit_map *lit, int left,
+                      int right)
+{
+    const int index = frame->scene->render.look;
     frame->map = lit->shown;
     renderer->gl->Scissor(left, 0, right - left, renderer->target.height);
     set_wireframe(renderer->gl, frame->scene->render.wireframe);
-    bool ok = left == right || (*state && look->draw(*state, frame));
+    bool ok = left == right || scene_looks[index]->draw(renderer->look_states[index], frame);
     set_wireframe(renderer->gl, false);
     return ok;
 }
@@ -191,6 +197,8 @@ static bool draw_frame(struct dpl_renderer *renderer, const struct dpl_scene *sc
     water_sphere_center(water_models[scene->medium.model], &renderer->lighting.setup, renderer->sphere);
     memcpy(frame.sphere, renderer->sphere, sizeof frame.sphere);
     camera_matrix(&scene->camera, width, height, frame.view_projection);
+    if (!ready_look(renderer, &frame))
+        return false;
     target_begin(gl, &renderer->target, scene->render.background);
     bool ok = draw_picture(renderer, &frame);
     timer_pass(&renderer->timer, "finish");
