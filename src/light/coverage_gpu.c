@@ -77,6 +77,10 @@ static void bind_cells(struct dpl_gl *gl, const struct gpu_program *program, con
     program_use(gl, program);
     texture_bind(gl, rays, 0);
     program_int(gl, program, "rays", 0);
+    program_int(gl, program, "choppy", input->surface_gpu->choppy);
+    program_int(gl, program, "shifts", input->surface_gpu->choppy ? 1 : 0);
+    if (input->surface_gpu->choppy)
+        texture_bind(gl, &input->surface_gpu->shifts, 1);
     program_vec4s(gl, program, "flat_water", 1, flat);
     program_vec4s(gl, program, "offset", 1, offset);
     program_vec3(gl, program, "absorption", receiver->absorption);

@@ -4,9 +4,11 @@
 
 #include <stdlib.h>
 
-extern const struct light_technique light_coverage, light_multi_sample, light_reference;
+extern const struct light_technique light_coverage, light_multi_sample, light_pixel_ray, light_reference,
+    light_vertex_ray;
 
-const struct light_technique *const light_techniques[] = {&light_coverage, &light_multi_sample, &light_reference, NULL};
+const struct light_technique *const light_techniques[] = {&light_coverage,   &light_multi_sample, &light_pixel_ray,
+                                                          &light_vertex_ray, &light_reference,    NULL};
 
 const char *light_technique_name(int i)
 {

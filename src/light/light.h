@@ -76,6 +76,7 @@ struct light_technique {
     int channels;      /* of its map: 1 grey, 3 red green blue */
     bool physical;     /* its map is irradiance in units of flat water */
     bool reflects;     /* serves receivers above the surface too */
+    bool vertical;     /* looks straight up: gets choppy water as it is above each place, without shifts */
     bool refines;      /* its map gets better while it is called again with the same input */
 
     /* Fills the map on the CPU. NULL: only on the GPU. The map has its size. */

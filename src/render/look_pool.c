@@ -138,6 +138,7 @@ static void use(const struct state *state, const struct frame *frame, const stru
 
 static void draw_water(struct state *state, const struct frame *frame)
 {
+    static const double middle[3] = {0, 0, 0};
     struct dpl_gl *gl = frame->gl;
     const struct look *look = frame->params;
     const struct gpu_program *program = &state->water;
@@ -149,10 +150,10 @@ static void draw_water(struct state *state, const struct frame *frame)
     program_vec3(gl, program, "tint_above", look->tint_above);
     program_vec3(gl, program, "tint_below", look->tint_below);
     program_vec3(gl, program, "tint_out", look->tint_out);
-    water_mesh_draw(&state->mesh, frame, program, UNIT_SURFACE);
+    water_mesh_draw(&state->mesh, frame, program, UNIT_SURFACE, middle);
 }
 
-static bool draw(void *state_, const struct frame *frame)
+static void draw(void *state_, const struct frame *frame)
 {
     struct state *state = state_;
     struct dpl_gl *gl = frame->gl;
@@ -170,7 +171,6 @@ static bool draw(void *state_, const struct frame *frame)
     timer_pass(frame->timer, "water");
     draw_water(state, frame);
     gl->Disable(GL_DEPTH_TEST);
-    return true;
 }
 
 static void finish(void *state_, struct dpl_gl *gl)

@@ -1,4 +1,4 @@
-/* Random numbers on a grid, and smooth noise between them. */
+/* Numbers that look random and repeat without a seam. */
 uniform int seed;
 
 /* A number from 0 to 1 for each cell of a grid that repeats after `period` cells (integer hash by multiplication and

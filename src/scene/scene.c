@@ -50,7 +50,7 @@ struct fixed_section {
 };
 static const struct fixed_section fixed_sections[] = {
     {"scene", "the tile of water", settings_params, offsetof(struct dpl_scene, settings)},
-    {"sun", "the sun (multi-sample has its own, straight overhead)", optics_sun_params,
+    {"sun", "the sun (multi-sample, pixel-ray and vertex-ray have their own, straight overhead)", optics_sun_params,
      offsetof(struct dpl_scene, sun)},
     {"water", "the water and its waves", water_medium_params, offsetof(struct dpl_scene, medium)},
     {"sphere", "a ball in the water", water_sphere_params, offsetof(struct dpl_scene, sphere)},
