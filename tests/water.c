@@ -22,6 +22,9 @@ static const char *const scenes[] = {
     "[scene]\nsize = 8\n[water]\nmodel = collard\n[collard]\nwave = preset-4\namplitude = 0.2\nspace_unit = 2\n",
     "[scene]\nsize = 3\n[water]\nmodel = collard\n[collard]\nwave = radial\ncells = 2\ntime_unit = 0.5\n",
     "[water]\nmodel = collard\n[collard]\nwave = ripple\namplitude = 0.1\ncells = 31\n",
+    "[water]\nmodel = ripples\n[ripples]\nside = 24\n",
+    "[scene]\nsize = 2\ndepth = 0.5\n[water]\nmodel = ripples\n[ripples]\nside = 33\nspeed = depth\nrain = 20\n"
+    "[sphere]\nradius = 0.25\nposition = -0.4 0.3 0.2\ngravity = on\n",
 };
 enum { SCENES = sizeof scenes / sizeof *scenes };
 
