@@ -24,6 +24,9 @@ static const char *const scenes[] = {
     "[water]\nmodel = collard\n[collard]\nwave = ripple\namplitude = 0.1\ncells = 31\n",
     "[water]\nmodel = fbm\n[caustics]\nmesh = 40\n",
     "[scene]\nsize = 9\nloop = 2\n[water]\nmodel = fbm\n[fbm]\nterms = 9\nscale = 0.1\n[caustics]\nmesh = 31\n",
+    "[water]\nmodel = ripples\n[ripples]\nside = 24\n",
+    "[scene]\nsize = 2\ndepth = 0.5\n[water]\nmodel = ripples\n[ripples]\nside = 33\nspeed = depth\nrain = 20\n"
+    "[sphere]\nradius = 0.25\nposition = -0.4 0.3 0.2\ngravity = on\n",
 };
 enum { SCENES = sizeof scenes / sizeof *scenes };
 
