@@ -18,6 +18,7 @@
 #include <math.h>
 
 #define SPHERE_RINGS 48 /* of triangles, from pole to pole */
+#define CELLS_MAX 128   /* of the surface drawn, a side; its slopes are read for each pixel */
 #define FLATTEST 1e-3   /* m, of depth */
 
 enum { UNIT_SURFACE, UNIT_MAP, UNIT_TILES };
@@ -81,8 +82,8 @@ static bool prepare(void *state_, const struct frame *frame)
     return program_ready(gl, &state->sky, "render/pool_sky.glsl", "") &&
            program_ready(gl, &state->room, "render/pool_room.glsl", "") &&
            program_ready(gl, &state->sphere, "render/pool_sphere.glsl", "") &&
-           program_ready(gl, &state->water, "render/pool_water.glsl", "") && water_mesh_ready(&state->mesh, frame) &&
-           pool_tiles_update(gl, &state->tiles, &settings);
+           program_ready(gl, &state->water, "render/pool_water.glsl", "") &&
+           water_mesh_ready(&state->mesh, frame, CELLS_MAX) && pool_tiles_update(gl, &state->tiles, &settings);
 }
 
 /* Where the pool, its ball and the sun are, in half sides of the pool. */

@@ -120,24 +120,29 @@ vec3 tile_color(vec3 point, vec3 normal, float spread)
     return textureLod(tiles, 0.5 * place + 0.5, max(log2(texels) - TILES_CLEAR, 0.0)).rgb;
 }
 
-vec3 wall_color(vec3 point, vec3 normal, float spread, vec3 light)
+/* Light of the sun on what stands across its way, in units of what tiles are lit by. */
+vec3 sun_at(vec3 point)
+{
+    /* Looked up outside of all conditions: it takes differences between neighbouring pixels. */
+    vec3 light = light_through(point);
+    return past_rim(point) * (under_water(point) ? 2.0 * caustic * light : vec3(0.5));
+}
+
+vec3 wall_color(vec3 point, vec3 normal, float spread, vec3 sun)
 {
     float around = ambient / length(vec3(point.x, point.y / depth, point.z));
     if (sphere_radius > 0.0)
         around *= nook(distance(point, sphere) / sphere_radius, 4.0);
-    float facing = max(-dot(light_way, normal), 0.0) * past_rim(point);
-    vec3 sun = under_water(point) ? 2.0 * facing * past_sphere(point) * light : vec3(0.5 * facing);
-    return tile_color(point, normal, spread) * (around + sun);
+    float facing = max(-dot(light_way, normal), 0.0) * past_sphere(point);
+    return tile_color(point, normal, spread) * (around + facing * sun);
 }
 
-vec3 ball_color(vec3 point, vec3 normal, vec3 light)
+vec3 ball_color(vec3 point, vec3 normal, vec3 sun)
 {
     float around = nook((1.0 + sphere_radius - abs(point.x)) / sphere_radius, 3.0) *
                    nook((1.0 + sphere_radius - abs(point.z)) / sphere_radius, 3.0) *
                    nook((point.y + depth + sphere_radius) / sphere_radius, 3.0);
-    float facing = max(-dot(light_way, normal), 0.0);
-    vec3 sun = under_water(point) ? 4.0 * facing * past_rim(point) * light : vec3(facing);
-    return sphere_color * (around + sun);
+    return sphere_color * (around + 2.0 * max(-dot(light_way, normal), 0.0) * sun);
 }
 
 /* A sky of two colours with thin clouds; below the horizon plain ground. */
@@ -154,12 +159,11 @@ vec3 sky_color(vec3 ray)
 vec3 traced_color(vec3 origin, vec3 ray, vec3 tint, vec2 spread)
 {
     hit found = meet(origin, ray);
-    /* Looked up outside of all conditions: it takes differences between neighbouring pixels. */
-    vec3 light = caustic * light_through(found.point), color;
+    vec3 sun = sun_at(found.point), color;
     if (found.on_sphere)
-        color = ball_color(found.point, found.normal, light);
+        color = ball_color(found.point, found.normal, sun);
     else if (ray.y < 0.0 || found.point.y < rim)
-        color = wall_color(found.point, found.normal, spread.x + spread.y * found.way, light);
+        color = wall_color(found.point, found.normal, spread.x + spread.y * found.way, sun);
     else
         color = sky_color(ray) + sun_color * pow(max(dot(to_sun, ray), 0.0), sun_exponent);
     return ray.y < 0.0 ? color * tint : color;

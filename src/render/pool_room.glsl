@@ -31,7 +31,7 @@ void main()
 {
     vec3 view = point - eye / half_side, ray = normalize(view);
     float spread = max(length(dFdx(ray)), length(dFdy(ray))) * length(view);
-    vec3 seen = wall_color(point, normal, spread, caustic * light_through(point));
+    vec3 seen = wall_color(point, normal, spread, sun_at(point));
     color = vec4(clamp(under_water(point) ? seen * wet : seen, 0.0, 1.0), 1.0);
 }
 #endif

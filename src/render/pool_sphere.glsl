@@ -24,7 +24,7 @@ out vec4 color;
 
 void main()
 {
-    vec3 seen = ball_color(point, normalize(point - sphere), caustic * light_through(point));
+    vec3 seen = ball_color(point, normalize(point - sphere), sun_at(point));
     color = vec4(clamp(under_water(point) ? seen * wet : seen, 0.0, 1.0), 1.0);
 }
 #endif

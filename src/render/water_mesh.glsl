@@ -5,13 +5,15 @@
 uniform mat4 view_projection;
 uniform vec3 tile;   /* m, where the tile's middle is drawn */
 uniform int columns; /* vertices in a row of the mesh, the repeated edge of a periodic surface included */
+uniform int stride;  /* from one of its vertices to the next on the surface; the last one is always there */
 uniform int swapped; /* rows follow each other along x */
 out vec3 position, normal;
 out vec2 rest; /* m, x and z of the point at rest */
 
 void main()
 {
-    ivec2 vertex = ivec2(gl_VertexID % columns, gl_VertexID / columns);
+    int last = textureSize(surface_texels, 0).x - (surface_periodic != 0 ? 0 : 1);
+    ivec2 vertex = min(ivec2(gl_VertexID % columns, gl_VertexID / columns) * stride, last);
     if (swapped != 0)
         vertex = vertex.yx;
     vec3 texel = surface_vertex(vertex);
