@@ -39,6 +39,9 @@ static const char *const scenes[] = {
     "[water]\nmodel = sum\n[sum]\nsecond = collard\n[caustics]\nmesh = 40\n[wave.1]\ncycles = 2 1\n",
     "[water]\nmodel = sum\n[sum]\nsecond = heightfield\n[heightfield]\nfile = " PICTURES "\nscale = 0.1\n[caustics]\n"
     "mesh = 32\n[wave.1]\ncycles = 2 1\nsteepness = 0.5\n[wave.2]\ncycles = -4 5\nsteepness = 0.2\n",
+    "[water]\nmodel = ripples\n[ripples]\nside = 24\n",
+    "[scene]\nsize = 2\ndepth = 0.5\n[water]\nmodel = ripples\n[ripples]\nside = 33\nspeed = depth\nrain = 20\n"
+    "[sphere]\nradius = 0.25\nposition = -0.4 0.3 0.2\ngravity = on\n",
 };
 enum { SCENES = sizeof scenes / sizeof *scenes };
 
