@@ -149,7 +149,7 @@ static void a_map_is_the_plain_sum(void **state)
     } cases[] = {
         {32, 50, true, false, 0.2, -1, 60}, {32, 50, true, false, 0.3, -4, 60}, {32, 50, false, false, 0.3, -2, 60},
         {80, 37, true, false, 0.3, -3, 25}, {32, 50, true, false, 0.1, 3, 50},  {24, 50, true, true, 0.3, -1, 60},
-        {24, 50, false, true, 0.15, 2, 80}, {32, 50, true, false, 0.3, -2, 90},
+        {24, 50, false, true, 0.15, 2, 80}, {32, 50, true, false, 0.3, -2, 91},
     };
     struct fixture *fixture = *state;
     for (int k = 0; k < 8 * 8; k++) {
