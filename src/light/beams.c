@@ -18,6 +18,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define STEPS 256 /* a texel, of corners: as GPUs draw, so that both see the same triangles */
+
 static const struct dpl_param params[] = {
     PARAM_FLOAT(struct beams, most, 64, 1, 1000000, "",
                 "largest intensity of one triangle, in units of flat water's: less sparkle, less light"),
@@ -131,7 +133,8 @@ static void draw_triangle(const struct task *task, const struct triangle_band *b
     if (!a->arrives || !b->arrives || !c->arrives || area <= 0 || image == 0)
         return;
     for (int i = 0; i < 3; i++) {
-        corners[i] = (struct triangle_corner){.x = vertices[i]->place[0], .z = vertices[i]->place[1]};
+        corners[i].x = rint(vertices[i]->place[0] * STEPS) / STEPS;
+        corners[i].z = rint(vertices[i]->place[1] * STEPS) / STEPS;
         for (int k = 0; k < 3; k++) {
             double mean = (double)(a->light[k] + b->light[k] + c->light[k]) / 3;
             corners[i].light[k] = (float)fmin(area / fabs(image) * mean, p->most);
