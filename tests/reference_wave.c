@@ -38,7 +38,7 @@ static void a_plane_wave_gives_the_sum_over_its_folds(void **state)
     static const double receivers[] = {-0.84, -2.5, -7.6, 0.3, 1};
     struct fixture *fixture = *state;
     memcpy(fixture->receivers, receivers, sizeof receivers);
-    fixture->waves[0] = (struct wave){{2, 0}, 0.04, 0, 0};
+    fixture->waves[0] = (struct wave){{2, 0}, 0.04, 0, 0, 0};
     fixture->setup.wave_count = 1;
     fixture->task.receiver_count = 5;
     fixture->task.side = 32;
@@ -82,7 +82,7 @@ static void a_map_has_the_mean_of_its_rays_weights(void **state)
 {
     static const double elevations[] = {35, 60, 85};
     struct fixture *fixture = *state;
-    const struct wave waves[] = {{{3, 1}, 0.03, 40, 0}, {{-2, 4}, 0.02, -90, 0}, {{5, 3}, 0.01, 180, 0}};
+    const struct wave waves[] = {{{3, 1}, 0.03, 40, 0, 0}, {{-2, 4}, 0.02, -90, 0, 0}, {{5, 3}, 0.01, 180, 0, 0}};
     memcpy(fixture->waves, waves, sizeof waves);
     fixture->setup.wave_count = 3;
     fixture->task.side = 32;
@@ -115,7 +115,7 @@ static void a_crest_is_a_lens_of_known_focal_length(void **state)
     struct fixture *fixture = *state;
     double n = 1.333, k = 2 * M_PI / SIZE, amplitude = 0.01, focus = n / ((n - 1) * amplitude * k * k) - amplitude;
     double brightest = 0, at = 0;
-    fixture->waves[0] = (struct wave){{1, 0}, amplitude, 0, 0};
+    fixture->waves[0] = (struct wave){{1, 0}, amplitude, 0, 0, 0};
     fixture->setup.wave_count = 1;
     fixture->sun = (struct optics_sun){90, 0, 0};
     fixture->medium = (struct water_medium){.ior = n};
@@ -150,8 +150,8 @@ static void light_goes_away_from_the_sun(void **state)
     fixture->task.side = 40;
     for (int azimuth = 0; azimuth < 360; azimuth += 90) {
         double angle = azimuth * M_PI / 180, up = 40 * M_PI / 180, crest = 0.05;
-        fixture->waves[0] = (struct wave){{1, 0}, crest, 0, 0};
-        fixture->waves[1] = (struct wave){{0, 1}, crest, 0, 0};
+        fixture->waves[0] = (struct wave){{1, 0}, crest, 0, 0, 0};
+        fixture->waves[1] = (struct wave){{0, 1}, crest, 0, 0, 0};
         fixture->sun = (struct optics_sun){40, azimuth, 0}; /* = up */
         trace(fixture, 30);
         for (int r = 0; r < 2; r++) {
@@ -176,7 +176,7 @@ static void blue_is_bent_more_than_red(void **state)
 {
     struct fixture *fixture = *state;
     int red[2], blue[2];
-    fixture->waves[0] = (struct wave){{1, 0}, 0.05, 0, 0};
+    fixture->waves[0] = (struct wave){{1, 0}, 0.05, 0, 0, 0};
     fixture->setup.wave_count = 1;
     fixture->sun = (struct optics_sun){40, 0, 0};
     fixture->medium = (struct water_medium){.ior = 1.4, .dispersion = 0.3};

@@ -115,13 +115,18 @@ void dpl_scene_destroy(struct dpl_scene *scene)
     free(scene);
 }
 
+static bool model_moves(const struct dpl_scene *scene, int model)
+{
+    return water_model_has(scene->medium.model, model, (const void *const *)scene->model_params);
+}
+
 /* The index-th wave that is present. */
 static struct dpl_section wave_section(const struct dpl_scene *scene, int index)
 {
     for (int w = 0; w < WATER_WAVES_MAX; w++)
         if (scene->wave_present[w] && index-- == 0)
             return (struct dpl_section){scene->wave_names[w], "one wave of the model `sines`", water_wave_params,
-                                        (void *)(scene->waves + w), scene->medium.model == 0};
+                                        (void *)(scene->waves + w), model_moves(scene, 0)};
     return (struct dpl_section){0};
 }
 
@@ -136,7 +141,7 @@ struct dpl_section dpl_scene_section(const struct dpl_scene *scene, int index)
     for (int i = 0; water_models[i]; i++)
         if (water_models[i]->params && index-- == 0)
             return (struct dpl_section){water_models[i]->name, water_models[i]->summary, water_models[i]->params,
-                                        scene->model_params[i], scene->medium.model == i};
+                                        scene->model_params[i], model_moves(scene, i)};
     for (int i = 0; light_techniques[i]; i++)
         if (light_techniques[i]->params && index-- == 0)
             return (struct dpl_section){light_techniques[i]->name, light_techniques[i]->summary,
@@ -210,14 +215,21 @@ void scene_windows(const struct dpl_scene *scene, bool periodic, struct ray_wind
 struct dpl_entry dpl_water_model(int index)
 {
     const struct water_model *model = water_model_name(index) ? water_models[index] : NULL;
-    return model ? (struct dpl_entry){.name = model->name, .summary = model->summary, .source = model->source}
+    return model ? (struct dpl_entry){.name = model->name,
+                                      .summary = model->summary,
+                                      .source = model->source,
+                                      .disturbed = model->disturbed}
                  : (struct dpl_entry){0};
 }
 
 struct dpl_entry dpl_technique(int index)
 {
     const struct light_technique *technique = light_technique_name(index) ? light_techniques[index] : NULL;
-    return technique ? (struct dpl_entry){technique->name,     technique->summary,  technique->source,
-                                          technique->physical, technique->reflects, technique->refines}
+    return technique ? (struct dpl_entry){.name = technique->name,
+                                          .summary = technique->summary,
+                                          .source = technique->source,
+                                          .physical = technique->physical,
+                                          .reflects = technique->reflects,
+                                          .refines = technique->refines}
                      : (struct dpl_entry){0};
 }
