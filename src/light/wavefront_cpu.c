@@ -180,10 +180,7 @@ static bool reaches(const struct task *task, const struct triangle_band *band, i
 {
     const float *upper = task->ranges + 2 * j, *lower = upper + 2;
     double least = floor((double)fminf(upper[0], lower[0])) - 1, most = ceil((double)fmaxf(upper[1], lower[1])) + 1;
-    double side = band->side, turns = band->periodic ? floor((least - band->first) / side) : 0;
-    least -= turns * side;
-    most -= turns * side;
-    return (least < band->end && most > band->first) || (band->periodic && most > band->first + side);
+    return triangle_band_reaches(band, least, most);
 }
 
 static void draw_band(const struct task *task, const struct triangle_band *band)
