@@ -45,6 +45,8 @@ static const struct dpl_param params[] = {
     PARAM_BOOL(struct wavefront, weights, true,
                "true: light by projected area, Fresnel's share and absorption; false: the ratio of areas alone, as "
                "Wallace's demo"),
+    PARAM_FLOAT(struct wavefront, ratio_max, 2048, 1, 16384, "",
+                "most that a triangle is brightened: less keeps single texels at folds from flashing, and loses light"),
     PARAM_END,
 };
 
