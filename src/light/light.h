@@ -54,6 +54,7 @@ struct light_input {
     const struct optics_sun *sun;
     const struct water_medium *medium;
     const struct light_settings *settings;
+    int seed; /* of techniques that leave something to chance */
     struct light_progress progress;
     const void *params; /* the technique's own struct */
     const struct dpl_log *log;

@@ -120,6 +120,7 @@ static struct light_input light_input(struct lighting *lighting, const struct ta
         .sun = &scene->sun,
         .medium = &scene->medium,
         .settings = &scene->caustics,
+        .seed = scene->settings.seed,
         .progress = lighting->progress,
         .params = scene->technique_params[task->lit->technique],
         .log = lighting->log,
