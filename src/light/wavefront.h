@@ -14,7 +14,7 @@ struct wavefront {
     int variant, area, folds;
     int mesh; /* cells a side; 0: as the surface */
     bool weights;
-    double ratio_max; /* of areas: at a fold an image has none, and the ratio no end */
+    double most; /* ratio of areas: at a fold an image has none, and the ratio no end */
 };
 
 /* A vertex of the mesh on one receiver. */

@@ -146,7 +146,7 @@ static float ratio_of(const struct edges *before, const struct edges *after, con
                              before->b[1] * after->a[0] - before->a[1] * after->b[0]);
         ratio = per_x * per_z / (doubled * doubled);
     }
-    return ratio < params->ratio_max ? (float)ratio : (float)params->ratio_max;
+    return ratio < params->most ? (float)ratio : (float)params->most;
 }
 
 static void draw_triangle(const struct task *task, const struct triangle_band *band, const int places[3][2])
