@@ -97,6 +97,32 @@ static void choppy_water_is_the_plain_sum(void **state)
     }
 }
 
+/* Bounded water, a map of 60 texels of the tile, and one of 90 of the same size that starts 10 and 20 texels before it:
+ * the same light, and what the first map's edge cut off. */
+static void a_window_shows_the_same_light(void **state)
+{
+    struct fixture *fixture = *state;
+    static float tile[60 * 60 * 3];
+    double error = 0, beyond = 0;
+    make_random(fixture, 5, 6, 0.2, 70, false);
+    trace(fixture, 60, 1);
+    memcpy(tile, fixture->map.texels, sizeof tile);
+    fixture->window = (struct ray_window){-SIZE / 2 - 10 * SIZE / 60, -SIZE / 2 - 20 * SIZE / 60, SIZE * 1.5};
+    trace(fixture, 90, 1);
+    for (int j = 0; j < 90; j++) {
+        for (int i = 0; i < 90; i++) {
+            double light = (double)fixture->map.texels[(j * 90 + i) * 3];
+            bool inside = i >= 10 && i < 70 && j >= 20 && j < 80;
+            if (inside)
+                error = fmax(error, fabs(light - (double)tile[((j - 20) * 60 + i - 10) * 3]));
+            else
+                beyond += light / 3600;
+        }
+    }
+    assert_true(error < 1e-3);                 /* single precision at the brightest */
+    assert_true(beyond > 0.2 && beyond < 0.3); /* it went 0.35 m along x and 0.2 m along z, of 2 m: 0.257 */
+}
+
 /* How far the map of flat water whose points only slide is from 1 anywhere. */
 static double worst_of_sliding(struct fixture *fixture, int mesh)
 {
@@ -269,6 +295,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(fineness_changes_nothing_for_a_point_sun, setup, teardown),
         cmocka_unit_test_setup_teardown(a_map_has_the_mean_of_the_vertices_weights, setup, teardown),
         cmocka_unit_test_setup_teardown(choppy_water_is_the_plain_sum, setup, teardown),
+        cmocka_unit_test_setup_teardown(a_window_shows_the_same_light, setup, teardown),
         cmocka_unit_test_setup_teardown(water_that_slides_stays_flat, setup, teardown),
         cmocka_unit_test_setup_teardown(errors_fall_with_the_square_of_the_mesh, setup, teardown),
         cmocka_unit_test_setup_teardown(one_wave_gives_the_sum_over_its_folds, setup, teardown),

@@ -31,6 +31,7 @@ struct fixture {
     struct light_settings settings;
     struct coverage params;
     double receivers[SLICES_MAX];
+    struct ray_window window; /* that maps show */
     struct light_map map;
     void *state;
 };
@@ -43,6 +44,7 @@ static inline int setup(void **state)
     fixture->medium = (struct water_medium){0, 1.333, 0, {0.35, 0.07, 0.03}};
     fixture->settings.error = 1;
     fixture->receivers[0] = -1;
+    fixture->window = (struct ray_window){-SIZE / 2, -SIZE / 2, SIZE};
     fixture->state = calloc(1, light_coverage.state_size);
     *state = fixture;
     return 0;
@@ -146,7 +148,7 @@ static inline void trace(struct fixture *fixture, int side, int slices)
     const struct water_setup setup = {.size = SIZE, .params = fixture};
     struct ray_window windows[LIGHT_SLICES_MAX];
     for (int k = 0; k < slices; k++)
-        windows[k] = (struct ray_window){-SIZE / 2, -SIZE / 2, SIZE};
+        windows[k] = fixture->window;
     const struct light_input input = {
         .surface = &fixture->surface,
         .model = &model,

@@ -63,6 +63,67 @@ static void snell_is_that_of_the_tables(void **state)
     }
 }
 
+/* Out of the medium: the same pairs of angles the other way; beyond the critical angle nothing leaves. */
+static void light_leaves_as_it_came(void **state)
+{
+    static const double up[3] = {0, 1, 0};
+    (void)state;
+    for (double ior = 1; ior < 3; ior += 0.333) {
+        double out[3], critical = asin(1 / ior);
+        for (double angle = 0; angle < 90; angle += 0.5) {
+            double in = asin(sin(angle * degree) / ior), ray[3] = {-sin(in), cos(in), 0}, back[3];
+            assert_true(optics_refract_out(ray, up, ior, out));
+            expect_near(atan2(-out[0], out[1]), angle * degree, 1e-7);
+            optics_refract(out, up, ior, back);
+            for (int c = 0; c < 3; c++)
+                expect_near(back[c], -ray[c], 1e-12);
+        }
+        for (double angle = critical + 1e-6; angle < M_PI / 2; angle += 0.1)
+            assert_false(optics_refract_out((const double[3]){sin(angle), cos(angle), 0}, up, ior, out));
+    }
+    expect_near(asin(1 / 1.333) / degree, 48.6, 0.01);
+}
+
+/* T = η E + (…) N with N against E, η the index before the surface over that behind it. */
+static void foley(const double E[3], const double N[3], double eta, double root, double T[3])
+{
+    for (int c = 0; c < 3; c++)
+        T[c] = eta * E[c] - (eta * dot(E, N) + root) * N[c];
+}
+
+/* How far a direction is from a unit vector at the angle of the law of sines. */
+static double lawless(const double T[3], double sine)
+{
+    return fmax(fabs(sqrt(dot(T, T)) - 1), fabs(fabs(T[0]) / sqrt(dot(T, T)) - sine));
+}
+
+/* The vector form of Snell's law in Foley et al. 1996 and what is here are one, into the water and out of it. As a blog
+ * prints it, with √(1 + η² ((E·N)² + 1)) and either sign of the root, it is not the law of sines. */
+static void the_root_has_the_right_sign(void **state)
+{
+    static const double up[3] = {0, 1, 0}, down[3] = {0, -1, 0};
+    (void)state;
+    for (double angle = 5; angle < 48; angle += 1) {
+        for (int leaves = 0; leaves < 2; leaves++) {
+            double eta = leaves ? 1.333 : 1 / 1.333, cosine = cos(angle * degree), sine = sin(angle * degree);
+            double E[3] = {sine, leaves ? cosine : -cosine, 0}, T[3], ours[3];
+            const double *N = leaves ? down : up;
+            if (leaves)
+                assert_true(optics_refract_out(E, up, 1.333, ours));
+            else
+                optics_refract((const double[3]){-E[0], -E[1], 0}, up, 1.333, ours);
+            foley(E, N, eta, sqrt(1 - eta * eta * (1 - cosine * cosine)), T);
+            for (int c = 0; c < 3; c++)
+                expect_near(ours[c], T[c], 1e-12);
+            assert_true(lawless(ours, eta * sine) < 1e-12);
+            for (int sign = -1; sign <= 1; sign += 2) {
+                foley(E, N, eta, sign * sqrt(1 + eta * eta * (cosine * cosine + 1)), T);
+                assert_true(lawless(T, eta * sine) > 0.02);
+            }
+        }
+    }
+}
+
 static void random_direction(uint64_t *random, double out[3])
 {
     double azimuth = 2 * M_PI * support_random_unit(random), y = 2 * support_random_unit(random) - 1;
@@ -88,6 +149,10 @@ static void rays_keep_to_their_plane(void **state)
         expect_near(dot(into, into), 1, 1e-12);
         expect_near(dot(back, back), 1, 1e-12);
         expect_near(dot(back, normal), cosine, 1e-12);
+        double along_into[3] = {-into[0], -into[1], -into[2]}, outside[3];
+        assert_true(optics_refract_out(along_into, normal, ior, outside));
+        for (int c = 0; c < 3; c++)
+            expect_near(outside[c], light[c], 1e-7);
         expect_near(-dot(into, normal), sqrt(1 - (1 - cosine * cosine) / (ior * ior)), 1e-12);
         for (int c = 0; c < 3; c++) {
             double along = light[c] - cosine * normal[c]; /* of the light, on the surface */
@@ -162,9 +227,14 @@ static void the_disc_is_round_and_even(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(fresnel_is_that_of_the_tables),        cmocka_unit_test(fresnel_is_that_of_the_angles),
-        cmocka_unit_test(snell_is_that_of_the_tables),          cmocka_unit_test(rays_keep_to_their_plane),
-        cmocka_unit_test(absorption_is_a_share_for_each_metre), cmocka_unit_test(the_sun_stands_where_it_is_said),
+        cmocka_unit_test(fresnel_is_that_of_the_tables),
+        cmocka_unit_test(fresnel_is_that_of_the_angles),
+        cmocka_unit_test(light_leaves_as_it_came),
+        cmocka_unit_test(the_root_has_the_right_sign),
+        cmocka_unit_test(snell_is_that_of_the_tables),
+        cmocka_unit_test(rays_keep_to_their_plane),
+        cmocka_unit_test(absorption_is_a_share_for_each_metre),
+        cmocka_unit_test(the_sun_stands_where_it_is_said),
         cmocka_unit_test(the_disc_is_round_and_even),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -97,6 +97,24 @@ static void bounded_water_has_edges(void **state)
                                 : fabs((double)fixture->map[3 * i] - 1) < 0.18 || i % 16 == 11);
 }
 
+/* A map of what lies twice as wide where the light of bounded flat water falls: 1 in the middle, 0 around it. */
+static void a_window_follows_the_light(void **state)
+{
+    static const struct water_model bounded = {.name = "bounded", .shape = bounded_shape, .sample = sample_flat};
+    struct fixture *fixture = *state;
+    const struct ray_window window = {-SIZE - 0.8 * tan(asin(cos(M_PI / 4) / 1.333)), -SIZE, 2 * SIZE};
+    fixture->task.model = &bounded;
+    fixture->task.windows = &window;
+    fixture->sun = (struct optics_sun){45, 0, 0};
+    fixture->receivers[0] = -0.8;
+    trace(fixture, 100);
+    photons_read(&fixture->photons, 0, fixture->map);
+    for (int i = 0; i < 256; i++) {
+        bool lit = i % 16 >= 4 && i % 16 < 12 && i / 16 >= 4 && i / 16 < 12;
+        assert_true(lit ? fabs((double)fixture->map[3 * i] - 1) < 0.1 : fixture->map[3 * i] < 0.1f);
+    }
+}
+
 /* Water that stands lower than its receiver, as a trough below the floor does: what it gets is straight above. */
 static void sample_low(const struct water_setup *setup, double time, struct water_points *points)
 {
@@ -146,6 +164,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(flat_water_gives_one_everywhere, setup, teardown),
         cmocka_unit_test_setup_teardown(water_that_slides_stays_flat, setup, teardown),
         cmocka_unit_test_setup_teardown(bounded_water_has_edges, setup, teardown),
+        cmocka_unit_test_setup_teardown(a_window_follows_the_light, setup, teardown),
         cmocka_unit_test_setup_teardown(water_beyond_its_receiver_lights_it_straight, setup, teardown),
         cmocka_unit_test_setup_teardown(nothing_is_ever_infinite, setup, teardown),
     };

@@ -22,6 +22,8 @@ static const char *const scenes[] = {
     "[scene]\nsize = 8\n[water]\nmodel = collard\n[collard]\nwave = preset-4\namplitude = 0.2\nspace_unit = 2\n",
     "[scene]\nsize = 3\n[water]\nmodel = collard\n[collard]\nwave = radial\ncells = 2\ntime_unit = 0.5\n",
     "[water]\nmodel = collard\n[collard]\nwave = ripple\namplitude = 0.1\ncells = 31\n",
+    "[water]\nmodel = fbm\n[caustics]\nmesh = 40\n",
+    "[scene]\nsize = 9\nloop = 2\n[water]\nmodel = fbm\n[fbm]\nterms = 9\nscale = 0.1\n[caustics]\nmesh = 31\n",
 };
 enum { SCENES = sizeof scenes / sizeof *scenes };
 

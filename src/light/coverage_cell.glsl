@@ -1,13 +1,9 @@
 /* The image of one cell of the surface on a receiver, in texels of the map. Large cells are split, and the parts count
  * as cells. */
 #include "light/coverage_area.glsl"
-#include "optics/refraction.glsl"
-uniform sampler2D rays;      /* of coverage_rays.glsl */
-uniform vec4 flat_water;     /* u, v; q, the length of light's path for each metre of height, with its sign */
-uniform vec3 absorption;     /* 1/m; 0 above the surface */
+#include "light/coverage_vertex.glsl"
 uniform vec3 channels;       /* 1 where light is to be added */
 uniform vec4 offset;         /* whole texels of the first vertex' place on the receiver, and the rest of it */
-uniform float receiver;      /* m, its height */
 uniform float cell;          /* texels, its side under flat water */
 uniform int split;           /* cells a side that one of the surface is split into */
 uniform float texels_a_meter;
@@ -21,22 +17,16 @@ struct image {
 };
 
 struct corner {
-    vec2 place; /* from where flat water has the surface's cell, texels */
+    vec2 place; /* of its light, from where flat water has that of the surface's cell, texels */
+    vec2 from;  /* of itself, seen from above, from where it rests in the cell's first corner, texels */
     vec3 weight;
 };
 
 corner find_vertex(ivec2 index, ivec2 side)
 {
-    ivec2 vertex = index + side, count = textureSize(rays, 0);
-    vertex = ivec2(vertex.x == count.x ? 0 : vertex.x, vertex.y == count.y ? 0 : vertex.y);
-    vec4 ray = texelFetch(rays, vertex, 0);
-    vec2 uv = flat_water.xy + ray.xy;
-    /* water beyond the receiver lies on it */
-    float height = receiver > 0.0 ? min(ray.z, receiver) : max(ray.z, receiver);
-    float path = abs(receiver - height) * sqrt(1.0 + dot(uv, uv)) - abs(receiver * flat_water.z);
-    vec2 moved = ray.xy * (receiver - height) - flat_water.xy * height;
-    vec3 left = optics_transmittance(absorption, path);
-    return corner(vec2(side) * cell * float(split) + moved * texels_a_meter, ray.w * left * channels);
+    vertex_light light = find_light(index + side);
+    vec2 from = vec2(side) * cell * float(split) + light.shift * texels_a_meter;
+    return corner(from + light.moved * texels_a_meter, from, light.weight * channels);
 }
 
 float cross_product(vec2 a, vec2 b)
@@ -63,10 +53,16 @@ void thicken(inout triangle t)
     t.c = from + along * clamp(dot(apex - from, along), 0.0, extent) + vec2(-along.y, along.x) * SLIVER;
 }
 
-/* `weight`: three times the mean of the corners'. */
-triangle make_triangle(vec2 a, vec2 b, vec2 c, vec3 weight)
+/* The area of the surface's triangle seen from above; none where it overhangs. */
+float patch_area(corner a, corner b, corner c)
 {
-    triangle t = triangle(a, b, c, weight * (cell * cell / 6.0));
+    return max(0.5 * cross_product(b.from - a.from, c.from - a.from), 0.0) / float(split * split);
+}
+
+/* `weight`: three times the mean of the corners'; `area`: of the surface. */
+triangle make_triangle(vec2 a, vec2 b, vec2 c, vec3 weight, float area)
+{
+    triangle t = triangle(a, b, c, weight * (area / 3.0));
     thicken(t);
     t.density *= 2.0 / cross_product(t.b - t.a, t.c - t.a);
     return t;
@@ -113,9 +109,12 @@ image make_image(ivec2 index)
     vec2 place = vec2(parent) * cell * float(split) + offset.zw, whole = floor(place);
     vec3 diagonal = corners[1].weight + corners[2].weight, first = diagonal + corners[0].weight;
     vec3 second = diagonal + corners[3].weight;
+    float first_area = patch_area(corners[0], corners[1], corners[2]);
+    float second_area = patch_area(corners[1], corners[3], corners[2]);
+    bool upper = part.x + part.y < split, lower = part.x + part.y < split - 1; /* on the cell's first triangle */
     image i;
-    i.upper = make_triangle(places[0], places[1], places[2], part.x + part.y < split ? first : second);
-    i.lower = make_triangle(places[1], places[3], places[2], part.x + part.y < split - 1 ? first : second);
+    i.upper = make_triangle(places[0], places[1], places[2], upper ? first : second, upper ? first_area : second_area);
+    i.lower = make_triangle(places[1], places[3], places[2], lower ? first : second, lower ? first_area : second_area);
     move(i.upper, place - whole);
     move(i.lower, place - whole);
     vec2 least = min(min(min(i.upper.a, i.upper.b), i.upper.c), min(min(i.lower.a, i.lower.b), i.lower.c));

@@ -162,6 +162,7 @@ const struct light_technique light_multi_sample = {
     .params_size = sizeof(struct multi_sample),
     .state_size = sizeof(struct multi_sample_state),
     .channels = 1,
+    .vertical = true,
     .trace = multi_sample_trace,
     .draw = draw,
     .finish = finish,

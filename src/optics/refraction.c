@@ -10,6 +10,17 @@ void optics_refract(const double to_light[3], const double normal[3], double ior
         out[i] = ((cosine - inside) * normal[i] - to_light[i]) / ior;
 }
 
+bool optics_refract_out(const double ray[3], const double normal[3], double ior, double out[3])
+{
+    double cosine = ray[0] * normal[0] + ray[1] * normal[1] + ray[2] * normal[2];
+    double outside = 1 - ior * ior * (1 - cosine * cosine); /* squared cosine of the angle in air */
+    if (outside < 0)
+        return false;
+    for (int i = 0; i < 3; i++)
+        out[i] = ior * ray[i] + (sqrt(outside) - ior * cosine) * normal[i];
+    return true;
+}
+
 void optics_reflect(const double to_light[3], const double normal[3], double out[3])
 {
     double cosine = to_light[0] * normal[0] + to_light[1] * normal[1] + to_light[2] * normal[2];

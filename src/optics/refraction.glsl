@@ -7,6 +7,14 @@ vec3 optics_refract(vec3 to_light, vec3 normal, float ior)
     return ((cosine - inside) * normal - to_light) / ior;
 }
 
+bool optics_refract_out(vec3 ray, vec3 normal, float ior, out vec3 leaving)
+{
+    float cosine = dot(ray, normal);
+    float outside = 1.0 - ior * ior * (1.0 - cosine * cosine);
+    leaving = ior * ray + (sqrt(max(outside, 0.0)) - ior * cosine) * normal;
+    return outside >= 0.0;
+}
+
 vec3 optics_reflect(vec3 to_light, vec3 normal)
 {
     return 2.0 * dot(to_light, normal) * normal - to_light;

@@ -11,6 +11,11 @@
  * negative. An index of 1 or more always lets light in. */
 void optics_refract(const double to_light[3], const double normal[3], double ior, double out[3]);
 
+/* The other way: direction in which a ray leaves the medium for air (Foley et al. 1996). `ray` points along the ray
+ * inside, `normal` out of the medium; their product is not negative. False where all light is thrown back inside: from
+ * water at more than 48.6°. */
+bool optics_refract_out(const double ray[3], const double normal[3], double ior, double out[3]);
+
 /* Direction of the light that is thrown back. */
 void optics_reflect(const double to_light[3], const double normal[3], double out[3]);
 

@@ -1,7 +1,6 @@
 #include "reference/photons.h"
 
 #include "base/log.h"
-#include "base/sine.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -18,46 +17,19 @@ size_t photons_sum_count(const struct photons *photons)
     return (size_t)HALVES * (size_t)photons->receiver_count * (size_t)photons->side * (size_t)photons->side * 3;
 }
 
-static enum ray_kind kind_of(double receiver)
-{
-    return receiver < 0 ? RAY_REFRACTED : RAY_REFLECTED;
-}
-
-/* A place in the unit circle; equal areas for equal areas of the unit square. */
-static void place_on_disc(double u, double v, double place[2])
-{
-    double sine, cosine, radius = sqrt(u);
-    sine_cosine(v, &sine, &cosine);
-    place[0] = radius * cosine;
-    place[1] = radius * sine;
-}
-
-/* Mean weights of flat water. */
 static struct ray_window window_of(const struct photons_task *task, int receiver)
 {
     double size = task->setup->size;
     return task->windows ? task->windows[receiver] : (struct ray_window){-size / 2, -size / 2, size};
 }
 
+/* Mean weights of flat water, of which a window larger than the tile needs more. */
 static void measure_flat(struct photons *photons, const struct photons_task *task)
 {
-    const int places = 64; /* a side: the mean over the disc to 1e-5 and better */
-    double areas[PHOTONS_RECEIVERS_MAX];
-    for (int r = 0; r < task->receiver_count; r++)
-        areas[r] = pow(window_of(task, r).side / task->setup->size, 2) / (places * places);
-    for (int k = 0; k < places * places; k++) {
-        struct ray_point point = {.area = 1};
-        double place[2];
-        place_on_disc((k % places + 0.5) / places, (k / places + 0.5) / places, place);
-        optics_disc_place(&photons->disc, place, point.to_light);
-        for (int r = 0; r < task->receiver_count; r++) {
-            for (int c = 0; c < 3; c++) {
-                struct ray ray = ray_start(&photons->rays, &point, kind_of(task->receivers[r]), c);
-                struct ray_hit hit;
-                if (ray.weight > 0 && ray_meet(&ray, &point, task->receivers[r], &hit))
-                    photons->flat[r][c] += areas[r] * ray_weight(&photons->rays, &ray, &hit, task->receivers[r], c);
-            }
-        }
+    for (int r = 0; r < task->receiver_count; r++) {
+        ray_flat_mean(&photons->rays, &photons->disc, task->receivers[r], photons->flat[r]);
+        for (int c = 0; c < 3; c++)
+            photons->flat[r][c] *= pow(window_of(task, r).side / task->setup->size, 2);
     }
 }
 
@@ -153,8 +125,8 @@ static void trace(const struct photons *photons, const struct photons_task *task
     for (int c = 0; c < 3; c += together) {
         struct ray ray = {.kind = RAY_KINDS};
         for (int r = 0; r < task->receiver_count; r++) {
-            if (ray.kind != kind_of(task->receivers[r]))
-                ray = ray_start(&photons->rays, point, kind_of(task->receivers[r]), c);
+            if (ray.kind != ray_kind_of(task->receivers[r]))
+                ray = ray_start(&photons->rays, point, ray_kind_of(task->receivers[r]), c);
             if (ray.weight > 0)
                 land(photons, task, point, &ray, r, together, sums);
         }
@@ -180,7 +152,7 @@ static void trace_batch(const struct photons *photons, const struct photons_task
         struct ray_point point = {x[i] + shift_x[i], z[i] + shift_z[i], height[i], slope_x[i],
                                   slope_z[i],        area[i],           {0}};
         double place[2];
-        place_on_disc(draw(stratum, photons->passes, 2), draw(stratum, photons->passes, 3), place);
+        optics_disc_spread(draw(stratum, photons->passes, 2), draw(stratum, photons->passes, 3), place);
         optics_disc_place(&photons->disc, place, point.to_light);
         trace(photons, task, &point, sums);
     }

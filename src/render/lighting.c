@@ -106,10 +106,12 @@ static void *technique_state(struct lighting *lighting, const struct task *task)
 static struct light_input light_input(struct lighting *lighting, const struct task *task)
 {
     const struct dpl_scene *scene = task->scene;
+    const struct water_model *model = water_models[scene->medium.model];
+    bool flat = task->technique->vertical && model->shape(&lighting->setup).choppy;
     return (struct light_input){
-        .surface = &lighting->surface,
-        .surface_gpu = &lighting->surface_gpu,
-        .model = water_models[scene->medium.model],
+        .surface = flat ? &lighting->flat : &lighting->surface,
+        .surface_gpu = flat ? &lighting->flat_gpu : &lighting->surface_gpu,
+        .model = model,
         .setup = &lighting->setup,
         .time = task->time,
         .receivers = lighting->receivers,
@@ -118,6 +120,7 @@ static struct light_input light_input(struct lighting *lighting, const struct ta
         .sun = &scene->sun,
         .medium = &scene->medium,
         .settings = &scene->caustics,
+        .seed = scene->settings.seed,
         .progress = lighting->progress,
         .params = scene->technique_params[task->lit->technique],
         .log = lighting->log,
@@ -174,9 +177,22 @@ static bool draw_light(struct lighting *lighting, const struct task *task)
     return blur_draw(&lighting->blur, lighting->gl, &lit->texture, task->blur, &lit->blurred);
 }
 
+/* The surface as a technique that looks straight up sees it. */
+static bool flatten(struct lighting *lighting, const struct task *task)
+{
+    const struct water_model *model = water_models[task->scene->medium.model];
+    if (!task->technique->vertical || !model->shape(&lighting->setup).choppy)
+        return true;
+    timer_pass(lighting->timer, task->passes[PASS_LIGHT]);
+    return task->lit->on_cpu ? surface_flatten(&lighting->surface, &lighting->flat, lighting->log)
+                             : surface_gpu_flatten(lighting->gl, &lighting->surface_gpu, &lighting->flat_gpu);
+}
+
 static bool make_map(struct lighting *lighting, const struct task *task)
 {
     struct lit_map *lit = task->lit;
+    if (!flatten(lighting, task))
+        return false;
     if (lit->on_cpu ? !trace_light(lighting, task) : !draw_light(lighting, task))
         return false;
     if (task->texture && lit->on_cpu) {
@@ -240,9 +256,12 @@ void lighting_finish(struct lighting *lighting)
     }
     blur_finish(&lighting->blur, gl);
     surface_finish(&lighting->surface);
+    surface_finish(&lighting->flat);
     water_memory_finish(&lighting->memory, gl);
-    if (gl)
+    if (gl) {
         surface_gpu_finish(gl, &lighting->surface_gpu);
+        surface_gpu_finish(gl, &lighting->flat_gpu);
+    }
     for (int i = 0; i < LIT_MAPS; i++) {
         light_map_finish(&lighting->maps[i].map);
         if (gl) {

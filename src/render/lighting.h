@@ -35,8 +35,8 @@ struct lighting {
     int drop_count;
     double receivers[LIGHT_SLICES_MAX];
     struct ray_window windows[LIGHT_SLICES_MAX];
-    struct surface surface;
-    struct surface_gpu surface_gpu;
+    struct surface surface, flat; /* flat: as techniques that look straight up see choppy water */
+    struct surface_gpu surface_gpu, flat_gpu;
     void *technique_states[SCENE_TECHNIQUES_MAX]; /* made when first used */
     struct light_blur blur;
     struct lit_map maps[LIT_MAPS];

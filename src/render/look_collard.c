@@ -75,25 +75,28 @@ static void draw_water(struct state *state, const struct frame *frame)
     program_float(gl, program, "threshold", look->threshold);
     gl->Enable(GL_BLEND);
     gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);
-    water_mesh_draw(&state->mesh, frame, program, 0);
+    water_mesh_draw(&state->mesh, frame, program, 0, (double[]){0, 0, 0});
     gl->Disable(GL_BLEND);
 }
 
-static bool draw(void *state_, const struct frame *frame)
+static bool prepare(void *state_, const struct frame *frame)
 {
     struct state *state = state_;
     struct dpl_gl *gl = frame->gl;
-    bool built = program_ready(gl, &state->ground, "render/collard_ground.glsl", "") &&
-                 program_ready(gl, &state->water, "render/collard_water.glsl", "");
-    if (!built || !water_mesh_ready(&state->mesh, frame))
-        return false;
+    return program_ready(gl, &state->ground, "render/collard_ground.glsl", "") &&
+           program_ready(gl, &state->water, "render/collard_water.glsl", "") && water_mesh_ready(&state->mesh, frame);
+}
+
+static void draw(void *state_, const struct frame *frame)
+{
+    struct state *state = state_;
+    struct dpl_gl *gl = frame->gl;
     gl->Enable(GL_DEPTH_TEST);
     timer_pass(frame->timer, "ground");
     draw_ground(state, frame);
     timer_pass(frame->timer, "water");
     draw_water(state, frame);
     gl->Disable(GL_DEPTH_TEST);
-    return true;
 }
 
 static void finish(void *state_, struct dpl_gl *gl)
@@ -111,6 +114,7 @@ const struct scene_look look_collard = {
     .params = params,
     .params_size = sizeof(struct look),
     .state_size = sizeof(struct state),
+    .prepare = prepare,
     .draw = draw,
     .finish = finish,
 };

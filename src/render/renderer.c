@@ -128,20 +128,16 @@ static void set_wireframe(struct dpl_gl *gl, bool on)
 }
 
 /* The picture from a map, in columns `left` to `right` of the target alone. */
-static bool draw_part(struct dpl_renderer *renderer, struct frame *frame, const struct lit_map *lit, int left,
+static void draw_part(struct dpl_renderer *renderer, struct frame *frame, const struct lit_map *lit, int left,
                       int right)
 {
-    const int index = frame->scene->render.look;
-    const struct scene_look *look = scene_looks[index];
-    void **state = renderer->look_states + index;
-    if (!*state)
-        *state = base_allocate(renderer->log, 1, look->state_size, look->name);
+    const int look = frame->scene->render.look;
     frame->map = lit->shown;
     renderer->gl->Scissor(left, 0, right - left, renderer->target.height);
     set_wireframe(renderer->gl, frame->scene->render.wireframe);
-    bool ok = left == right || (*state && look->draw(*state, frame));
+    if (left < right)
+        scene_looks[look]->draw(renderer->look_states[look], frame);
     set_wireframe(renderer->gl, false);
-    return ok;
 }
 
 /* The scene's picture; or, where techniques are compared, part of each, or the difference of their maps. */
@@ -157,10 +153,20 @@ static bool draw_picture(struct dpl_renderer *renderer, struct frame *frame)
     if (compare->mode == DPL_COMPARE_SPLIT)
         split = (int)lround(fmin(fmax(compare->place, 0), 1) * width);
     renderer->gl->Enable(GL_SCISSOR_TEST);
-    bool ok = draw_part(renderer, frame, maps + LIT_SCENE, 0, split) &&
-              draw_part(renderer, frame, maps + LIT_OTHER, split, width);
+    draw_part(renderer, frame, maps + LIT_SCENE, 0, split);
+    draw_part(renderer, frame, maps + LIT_OTHER, split, width);
     renderer->gl->Disable(GL_SCISSOR_TEST);
-    return ok;
+    return true;
+}
+
+static bool prepare_look(struct dpl_renderer *renderer, const struct frame *frame)
+{
+    const int index = frame->scene->render.look;
+    const struct scene_look *look = scene_looks[index];
+    void **state = renderer->look_states + index;
+    if (!*state)
+        *state = base_allocate(renderer->log, 1, look->state_size, look->name);
+    return *state && look->prepare(*state, frame);
 }
 
 /* Surface, light and look into the renderer's own target. */
@@ -182,6 +188,7 @@ static bool draw_frame(struct dpl_renderer *renderer, const struct dpl_scene *sc
         .scene = scene,
         .params = scene->look_params[scene->render.look],
         .time = time,
+        .setup = &renderer->lighting.setup,
         .surface = &renderer->lighting.surface_gpu,
         .windows = renderer->lighting.windows,
         .sand = &renderer->sand.color,
@@ -191,6 +198,9 @@ static bool draw_frame(struct dpl_renderer *renderer, const struct dpl_scene *sc
     water_sphere_center(water_models[scene->medium.model], &renderer->lighting.setup, renderer->sphere);
     memcpy(frame.sphere, renderer->sphere, sizeof frame.sphere);
     camera_matrix(&scene->camera, width, height, frame.view_projection);
+    frame.rays = camera_rays(&scene->camera, width, height);
+    if (!prepare_look(renderer, &frame))
+        return false;
     target_begin(gl, &renderer->target, scene->render.background);
     bool ok = draw_picture(renderer, &frame);
     timer_pass(&renderer->timer, "finish");

@@ -63,15 +63,16 @@ static void draw_rows(const struct water_mesh *mesh, struct dpl_gl *gl, double a
 }
 
 void water_mesh_draw(const struct water_mesh *mesh, const struct frame *frame, const struct gpu_program *program,
-                     int unit)
+                     int unit, const double tile[3])
 {
     /* Rows follow each other along the axis that the eye is farther out on. */
-    const double *eye = frame->scene->camera.position;
+    const double *camera = frame->scene->camera.position, eye[] = {camera[0] - tile[0], 0, camera[2] - tile[2]};
     bool swapped = fabs(eye[0]) > fabs(eye[2]);
     surface_gpu_bind(frame->gl, frame->surface, program, unit);
     program_mat4(frame->gl, program, "view_projection", frame->view_projection);
     program_int(frame->gl, program, "columns", mesh->cells + 1);
     program_int(frame->gl, program, "swapped", swapped);
+    program_vec3(frame->gl, program, "tile", tile);
     draw_rows(mesh, frame->gl, eye[swapped ? 0 : 2] / frame->surface->size + 0.5);
 }
 

@@ -3,6 +3,7 @@
 
 #ifdef VERTEX
 uniform mat4 view_projection;
+uniform vec3 tile;   /* m, where the tile's middle is drawn */
 uniform int columns; /* vertices in a row of the mesh, the repeated edge of a periodic surface included */
 uniform int swapped; /* rows follow each other along x */
 out vec3 position, normal;
@@ -14,7 +15,7 @@ void main()
         vertex = vertex.yx;
     vec3 texel = surface_vertex(vertex);
     vec2 xz = vec2(vertex) * surface_spacing() - 0.5 * surface_size + surface_shift(vertex);
-    position = vec3(xz.x, texel.x, xz.y);
+    position = vec3(xz.x, texel.x, xz.y) + tile;
     normal = normalize(vec3(-texel.y, 1.0, -texel.z));
     gl_Position = view_projection * vec4(position, 1.0);
 }

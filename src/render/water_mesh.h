@@ -14,9 +14,10 @@ struct water_mesh {
 bool water_mesh_ready(struct water_mesh *mesh, const struct frame *frame);
 
 /* Draws them with the program in use, rows of cells from the eye outwards, so that a crest is drawn before what it
- * hides and is not blended over it. Sets the uniforms of render/water_mesh.glsl; the surface is bound to `unit`. */
+ * hides and is not blended over it. Sets the uniforms of render/water_mesh.glsl; the surface is bound to `unit`.
+ * `tile`: where the middle of the tile is drawn. */
 void water_mesh_draw(const struct water_mesh *mesh, const struct frame *frame, const struct gpu_program *program,
-                     int unit);
+                     int unit, const double tile[3]);
 
 void water_mesh_finish(struct water_mesh *mesh, struct dpl_gl *gl);
 

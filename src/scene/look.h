@@ -18,8 +18,10 @@ struct scene_look {
     size_t params_size;
     size_t state_size; /* kept between frames, starts zeroed */
 
+    /* Readies programs, and textures that draw() needs. */
+    bool (*prepare)(void *state, const struct frame *frame);
     /* Draws the picture into the bound target, cleared to render.background, within the scissor box that is set. */
-    bool (*draw)(void *state, const struct frame *frame);
+    void (*draw)(void *state, const struct frame *frame);
     /* Frees what the state owns. */
     void (*finish)(void *state, struct dpl_gl *gl);
 };

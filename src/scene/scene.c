@@ -12,7 +12,7 @@ static const struct dpl_param settings_params[] = {
     PARAM_FLOAT(struct scene_settings, size, 4, 0.01, 10000, "m", "side of the square tile of water"),
     PARAM_FLOAT(struct scene_settings, depth, 1, 0, 1000, "m", "from the rest surface down to the floor"),
     PARAM_FLOAT(struct scene_settings, loop, 0, 0, 3600, "s", "every wave repeats after this time; 0 = no loop"),
-    PARAM_INT(struct scene_settings, seed, 1, 0, 1000000, "", "start of everything random (grains of sand)"),
+    PARAM_INT(struct scene_settings, seed, 1, 0, 1000000, "", "start of everything random (grains of sand, photons)"),
     PARAM_END,
 };
 
@@ -50,7 +50,7 @@ struct fixed_section {
 };
 static const struct fixed_section fixed_sections[] = {
     {"scene", "the tile of water", settings_params, offsetof(struct dpl_scene, settings)},
-    {"sun", "the sun (multi-sample has its own, straight overhead)", optics_sun_params,
+    {"sun", "the sun (multi-sample, pixel-ray and vertex-ray have their own, straight overhead)", optics_sun_params,
      offsetof(struct dpl_scene, sun)},
     {"water", "the water and its waves", water_medium_params, offsetof(struct dpl_scene, medium)},
     {"sphere", "a ball in the water", water_sphere_params, offsetof(struct dpl_scene, sphere)},

@@ -73,3 +73,40 @@ void surface_slopes_from_faces(struct surface *surface)
         }
     }
 }
+
+/* Numbers between the vertices around a place in cells, by straight lines. */
+static void blend(const struct surface *surface, const float *numbers, size_t count, double x, double z, double *out)
+{
+    int columns = surface->columns, rows = surface->rows, repeated = surface->periodic ? 0 : 1;
+    x = surface->periodic ? x - floor(x / columns) * columns : fmin(fmax(x, 0), columns - 1);
+    z = surface->periodic ? z - floor(z / rows) * rows : fmin(fmax(z, 0), rows - 1);
+    int i = (int)fmin(x, columns - 1 - repeated), j = (int)fmin(z, rows - 1 - repeated);
+    double u = x - i, v = z - j, weights[4] = {(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v};
+    for (size_t c = 0; c < count; c++)
+        out[c] = 0;
+    for (int k = 0; k < 4; k++) {
+        size_t at = (size_t)((j + k / 2) % rows) * (size_t)columns + (size_t)((i + k % 2) % columns);
+        for (size_t c = 0; c < count; c++)
+            out[c] += weights[k] * (double)numbers[at * count + c];
+    }
+}
+
+bool surface_flatten(const struct surface *from, struct surface *to, const struct dpl_log *log)
+{
+    const int iterations = 8;
+    double per_meter = 1 / surface_spacing(from);
+    if (!surface_resize(to, from->columns, from->rows, from->periodic, false, from->size, log))
+        return false;
+#pragma omp parallel for
+    for (int j = 0; j < from->rows; j++) {
+        for (int i = 0; i < from->columns; i++) {
+            double shift[2] = {0, 0}, texels[3];
+            for (int k = 0; k < iterations; k++)
+                blend(from, from->shifts, 2, i - shift[0] * per_meter, j - shift[1] * per_meter, shift);
+            blend(from, from->texels, 3, i - shift[0] * per_meter, j - shift[1] * per_meter, texels);
+            for (int c = 0; c < 3; c++)
+                texel(to, i, j)[c] = (float)texels[c];
+        }
+    }
+    return true;
+}

@@ -31,6 +31,11 @@ void surface_finish(struct surface *surface);
 /* Distance between neighbouring vertices, m. */
 double surface_spacing(const struct surface *surface);
 
+/* Makes `to` what a choppy surface is like straight above and below the vertices of its grid: heights and slopes
+ * without shifts. The place at rest of what has come to x is p = x - shift(p), by iteration, which finds it where the
+ * surface does not overhang. For techniques that look straight up. water/flatten.glsl is its twin. */
+bool surface_flatten(const struct surface *from, struct surface *to, const struct dpl_log *log);
+
 /* Sets the slopes of a bounded surface from its heights: a vertex's normal is the normalised sum of the unit normals of
  * the triangles around it (Collard & Mundi 2022, as their program has it). */
 void surface_slopes_from_faces(struct surface *surface);

@@ -49,6 +49,21 @@ bool surface_gpu_evaluate(struct dpl_gl *gl, struct surface_gpu *surface, const 
                                          model, setup, time));
 }
 
+bool surface_gpu_flatten(struct dpl_gl *gl, const struct surface_gpu *from, struct surface_gpu *to)
+{
+    if (!program_ready(gl, &to->program, "water/flatten.glsl", ""))
+        return false;
+    to->size = from->size;
+    to->periodic = from->periodic;
+    texture_resize(gl, &to->texels, GL_RGBA32F, from->texels.width, from->texels.height, TEXTURE_CLAMP,
+                   TEXTURE_NEAREST);
+    texture_draw_to(gl, &to->texels);
+    program_use(gl, &to->program);
+    surface_gpu_bind(gl, from, &to->program, 0);
+    gpu_draw_screen(gl);
+    return true;
+}
+
 void surface_gpu_upload(struct dpl_gl *gl, struct surface_gpu *surface, const struct surface *from)
 {
     surface->size = from->size;

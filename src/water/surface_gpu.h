@@ -23,6 +23,9 @@ bool surface_gpu_can_evaluate(const struct dpl_gl *gl, const struct water_model 
 bool surface_gpu_evaluate(struct dpl_gl *gl, struct surface_gpu *surface, const struct water_model *model,
                           const struct water_setup *setup, double time);
 
+/* Makes `to` what a choppy surface is like straight above and below its vertices; see surface_flatten(). */
+bool surface_gpu_flatten(struct dpl_gl *gl, const struct surface_gpu *from, struct surface_gpu *to);
+
 /* Copies a surface evaluated on the CPU. */
 void surface_gpu_upload(struct dpl_gl *gl, struct surface_gpu *surface, const struct surface *from);
 

@@ -5,9 +5,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-extern const struct water_model water_sines, water_collard;
+extern const struct water_model water_sines, water_fbm, water_collard;
 
-const struct water_model *const water_models[] = {&water_sines, &water_collard, NULL};
+const struct water_model *const water_models[] = {&water_sines, &water_fbm, &water_collard, NULL};
 
 const char *water_model_name(int i)
 {
