@@ -29,6 +29,9 @@ static const char *const scenes[] = {
     "[water]\nmodel = collard\n[collard]\nwave = ripple\namplitude = 0.1\ncells = 31\n",
     "[water]\nmodel = fbm\n[caustics]\nmesh = 40\n",
     "[scene]\nsize = 9\nloop = 2\n[water]\nmodel = fbm\n[fbm]\nterms = 9\nscale = 0.1\n[caustics]\nmesh = 31\n",
+    "[water]\nmodel = ocean\n[ocean]\nresolution = 64\ncascades = 1\n",
+    "[scene]\nsize = 12\ndepth = 4\nloop = 10\n[water]\nmodel = ocean\n[caustics]\nmesh = 45\n"
+    "[ocean]\nspectrum = phillips\nresolution = 32\ncascades = 3\nwind_speed = 3\n",
     "[water]\nmodel = heightfield\n[caustics]\nmesh = 24\n[heightfield]\nfile = " PICTURES "\nscale = 0.1\nrate = 2\n",
     "[scene]\nloop = 7\n[water]\nmodel = heightfield\n[caustics]\nmesh = 37\n"
     "[heightfield]\nfile = " PICTURES "\noffset = -0.05\nperiodic = no\nfirst = 1\n",
@@ -36,6 +39,9 @@ static const char *const scenes[] = {
     "[water]\nmodel = sum\n[sum]\nsecond = collard\n[caustics]\nmesh = 40\n[wave.1]\ncycles = 2 1\n",
     "[water]\nmodel = sum\n[sum]\nsecond = heightfield\n[heightfield]\nfile = " PICTURES "\nscale = 0.1\n[caustics]\n"
     "mesh = 32\n[wave.1]\ncycles = 2 1\nsteepness = 0.5\n[wave.2]\ncycles = -4 5\nsteepness = 0.2\n",
+    "[water]\nmodel = ripples\n[ripples]\nside = 24\n",
+    "[scene]\nsize = 2\ndepth = 0.5\n[water]\nmodel = ripples\n[ripples]\nside = 33\nspeed = depth\nrain = 20\n"
+    "[sphere]\nradius = 0.25\nposition = -0.4 0.3 0.2\ngravity = on\n",
 };
 enum { SCENES = sizeof scenes / sizeof *scenes };
 

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #define RADIANS_PER_PIXEL 0.005
 #define WHEEL_RATIO 0.9       /* of the distance, a notch */
@@ -116,4 +117,24 @@ void camera_control_move(struct dpl_scene *scene, const struct camera_input *inp
     if (flies)
         fly(&view, input);
     write_view(scene, &view);
+}
+
+bool camera_control_ray(const struct dpl_scene *scene, const double place[2], double aspect, struct camera_ray *ray)
+{
+    char text[64];
+    struct view view;
+    if (!read_view(scene, &view) || !get_point(scene, "camera.position", ray->eye) ||
+        !dpl_scene_get(scene, "camera.field_of_view", text, sizeof text))
+        return false;
+    double back[3], square = 0, half = tan(strtod(text, NULL) * M_PI / 360), s = sin(view.yaw), c = cos(view.yaw);
+    backward(&view, back);
+    const double right[3] = {c, 0, -s}, up[3] = {-sin(view.pitch) * s, cos(view.pitch), -sin(view.pitch) * c};
+    for (int i = 0; i < 3; i++) {
+        ray->forward[i] = -back[i];
+        ray->direction[i] = half * (place[0] * aspect * right[i] + place[1] * up[i]) - back[i];
+        square += ray->direction[i] * ray->direction[i];
+    }
+    for (int i = 0; i < 3; i++)
+        ray->direction[i] /= sqrt(square);
+    return true;
 }

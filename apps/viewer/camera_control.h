@@ -17,4 +17,13 @@ struct camera_input {
 /* Sets camera.position and camera.target. */
 void camera_control_move(struct dpl_scene *scene, const struct camera_input *input);
 
+/* The line of sight through a place of the picture. Directions are unit vectors. */
+struct camera_ray {
+    double eye[3], direction[3];
+    double forward[3]; /* the direction through the middle */
+};
+
+/* `place`: -1 to 1 across the picture, to the right and up; `aspect`: its width / height. */
+bool camera_control_ray(const struct dpl_scene *scene, const double place[2], double aspect, struct camera_ray *ray);
+
 #endif

@@ -9,6 +9,7 @@ struct commands {
     bool screenshot, save; /* save: the scene */
     bool reset, reload;    /* reload: the scene and the shaders, from their files */
     bool hide, quit;       /* hide: the panels, or show them */
+    bool gravity, light;   /* gravity: of the sphere, on or off; light: from the eye */
     const char *load;      /* a built-in scene; NULL: none */
 };
 

@@ -2,17 +2,23 @@
 
 #include "viewer/panel.h"
 
+#include <math.h>
+
 const struct input_key *input_keys(void)
 {
     static const struct input_key keys[] = {
         {"left drag", "round the target"},
+        {"  on water", "drops (ripples)"},
+        {"  on the ball", "moves it"},
         {"wheel", "nearer, farther"},
         {"right drag", "look around"},
         {"W A S D", "fly"},
-        {"space, ctrl", "fly up, down"},
+        {"E, Q", "fly up, down"},
         {"shift", "fly faster"},
-        {"P", "pause, play"},
+        {"P, space", "pause, play"},
         {"N", "step of 1/60 s"},
+        {"G", "gravity of the ball"},
+        {"L", "sun from the eye"},
         {"F2", "screenshot"},
         {"F5", "load files anew"},
         {"H", "hide the panels"},
@@ -26,10 +32,18 @@ static void press_key(GLFWwindow *window, int key, int scancode, int action, int
 {
     struct commands *commands = &((struct input *)glfwGetWindowUserPointer(window))->commands;
     (void)scancode, (void)modifiers;
-    if (action != GLFW_PRESS || panel_wants_keyboard())
+    bool again = action == GLFW_REPEAT && key == GLFW_KEY_L; /* held down, the sun follows the eye */
+    if ((action != GLFW_PRESS && !again) || panel_wants_keyboard())
         return;
     switch (key) {
+    case GLFW_KEY_G:
+        commands->gravity = !commands->gravity;
+        break;
+    case GLFW_KEY_L:
+        commands->light = true;
+        break;
     case GLFW_KEY_P:
+    case GLFW_KEY_SPACE:
         commands->pause = !commands->pause;
         break;
     case GLFW_KEY_N:
@@ -67,6 +81,16 @@ static void move_mouse(GLFWwindow *window, double x, double y)
     drag[1] += down;
 }
 
+static void press_button(GLFWwindow *window, int button, int action, int modifiers)
+{
+    struct input *input = glfwGetWindowUserPointer(window);
+    (void)modifiers;
+    if (button != GLFW_MOUSE_BUTTON_LEFT || action != GLFW_PRESS || panel_wants_mouse())
+        return;
+    input->pressed = true;
+    glfwGetCursorPos(window, &input->pressed_x, &input->pressed_y);
+}
+
 static void turn_wheel(GLFWwindow *window, double across, double up)
 {
     struct input *input = glfwGetWindowUserPointer(window);
@@ -82,6 +106,7 @@ void input_start(struct input *input, GLFWwindow *window)
     glfwSetWindowUserPointer(window, input);
     glfwSetKeyCallback(window, press_key);
     glfwSetCursorPosCallback(window, move_mouse);
+    glfwSetMouseButtonCallback(window, press_button);
     glfwSetScrollCallback(window, turn_wheel);
 }
 
@@ -95,14 +120,30 @@ struct camera_input input_take_camera(struct input *input, GLFWwindow *window, d
     struct camera_input camera = input->camera;
     input->camera = (struct camera_input){0};
     camera.seconds = seconds;
-    /* Over a panel ctrl and shift belong to its controls. */
+    /* Over a panel shift belongs to its controls. */
     if (panel_wants_keyboard() || panel_wants_mouse())
         return camera;
     camera.forward = held(window, GLFW_KEY_W) - held(window, GLFW_KEY_S);
     camera.right = held(window, GLFW_KEY_D) - held(window, GLFW_KEY_A);
-    camera.up = held(window, GLFW_KEY_SPACE) - held(window, GLFW_KEY_LEFT_CONTROL);
+    camera.up = held(window, GLFW_KEY_E) - held(window, GLFW_KEY_Q);
     camera.fast = held(window, GLFW_KEY_LEFT_SHIFT) || held(window, GLFW_KEY_RIGHT_SHIFT);
     return camera;
+}
+
+struct touch_input input_take_touch(struct input *input, GLFWwindow *window)
+{
+    int width, height;
+    glfwGetWindowSize(window, &width, &height);
+    double half_width = fmax(width, 1) / 2, half_height = fmax(height, 1) / 2;
+    struct touch_input touch = {
+        .pressed = input->pressed,
+        .held = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS,
+        .pressed_at = {input->pressed_x / half_width - 1, 1 - input->pressed_y / half_height},
+        .place = {input->x / half_width - 1, 1 - input->y / half_height},
+        .aspect = half_width / half_height,
+    };
+    input->pressed = false;
+    return touch;
 }
 
 struct commands input_take_commands(struct input *input)

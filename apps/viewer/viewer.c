@@ -29,6 +29,7 @@ struct viewer {
     struct input input;
     struct viewer_clock clock;
     struct viewer_compare compare;
+    struct touch touch;
     struct watch watch;
     double frame_seconds; /* mean of the last frames, real time */
     bool hidden;
@@ -223,6 +224,10 @@ static void obey(struct viewer *viewer, const struct commands *commands, int wid
     }
     if (commands->load)
         load_scene(viewer, commands->load);
+    if (commands->gravity)
+        touch_toggle_gravity(viewer->document.scene);
+    if (commands->light)
+        touch_place_sun(viewer->document.scene);
     if (commands->hide)
         viewer->hidden = !viewer->hidden;
     if (commands->quit)
@@ -261,6 +266,9 @@ static void run(struct viewer *viewer)
         double seconds = clock_tick(&viewer->clock, glfwGetTime());
         viewer->frame_seconds += (seconds - viewer->frame_seconds) * 0.1;
         struct camera_input hands = input_take_camera(&viewer->input, viewer->window, seconds);
+        struct touch_input finger = input_take_touch(&viewer->input, viewer->window);
+        if (touch_move(&viewer->touch, viewer->document.scene, viewer->renderer, &finger))
+            hands.orbit[0] = hands.orbit[1] = 0;
         camera_control_move(viewer->document.scene, &hands);
         reload_changed(viewer);
         int width, height;

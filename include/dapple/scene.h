@@ -62,6 +62,8 @@ struct dpl_entry {
     bool physical; /* its map is irradiance in units of what flat water would give; else it is tuned by eye */
     bool reflects; /* serves a ceiling above the water too */
     bool refines;  /* its map gets better step by step: see dpl_renderer_progress() */
+    /* Of a water model: */
+    bool disturbed; /* drops and the sphere move it */
 };
 DPL_API struct dpl_entry dpl_water_model(int index);
 DPL_API struct dpl_entry dpl_technique(int index);

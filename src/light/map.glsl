@@ -3,10 +3,11 @@
 uniform sampler2DArray light_texels;
 uniform int light_channels; /* 1 or 3 */
 uniform vec3 light_window;  /* of the first receiver, in tiles: its corner along x and z, its side */
+uniform vec3 light_step;    /* from there to that of the next */
 
 vec3 light_in_layer(vec2 place, float layer)
 {
-    place = (place - light_window.xy) / light_window.z;
+    place = (place - light_window.xy - layer * light_step.xy) / light_window.z;
     /* The bias keeps lines that run away from the eye sharp, at the price of a little shimmer far off. */
     vec3 light = texture(light_texels, vec3(place, layer), -0.7).rgb;
     return light_channels == 1 ? light.rrr : light;

@@ -21,11 +21,14 @@ void map_texture_resize(struct dpl_gl *gl, struct gpu_texture *map, int side, in
                          levels ? TEXTURE_MIPMAP : TEXTURE_LINEAR);
 }
 
-void map_texture_bind(struct dpl_gl *gl, const struct gpu_texture *map, const struct ray_window *window, double size,
+void map_texture_bind(struct dpl_gl *gl, const struct gpu_texture *map, const struct ray_window *windows, double size,
                       const struct gpu_program *program, int unit)
 {
-    const double in_tiles[3] = {window->x / size + 0.5, window->z / size + 0.5, window->side / size};
+    const struct ray_window *first = windows, *next = windows + (map->layers > 1);
+    const double in_tiles[3] = {first->x / size + 0.5, first->z / size + 0.5, first->side / size};
+    const double step[3] = {(next->x - first->x) / size, (next->z - first->z) / size, 0};
     program_vec3(gl, program, "light_window", in_tiles);
+    program_vec3(gl, program, "light_step", step);
     texture_bind(gl, map, (GLenum)unit);
     program_int(gl, program, "light_texels", unit);
     program_int(gl, program, "light_channels", map_texture_channels(map));

@@ -15,9 +15,9 @@ enum map_origin { MAP_DRAWN, MAP_UPLOADED };
 void map_texture_resize(struct dpl_gl *gl, struct gpu_texture *map, int side, int channels, int slices,
                         enum map_origin origin, bool finished, bool periodic);
 
-/* Sets the uniforms of light/map.glsl in the program in use, the texture on the given unit. `window` is that of the
- * first receiver, `size` the tile's side in metres. */
-void map_texture_bind(struct dpl_gl *gl, const struct gpu_texture *map, const struct ray_window *window, double size,
+/* Sets the uniforms of light/map.glsl in the program in use, the texture on the given unit. `windows` are
+ * those of the receivers, of which the first two count, `size` is the tile's side in metres. */
+void map_texture_bind(struct dpl_gl *gl, const struct gpu_texture *map, const struct ray_window *windows, double size,
                       const struct gpu_program *program, int unit);
 
 /* Channels that hold something: 1 or 3. */

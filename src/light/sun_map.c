@@ -21,7 +21,7 @@ void sun_map_disc(struct sun_map *map)
     }
 }
 
-/* A square PNG, or NULL. */
+/* A square picture, or NULL. */
 static struct dpl_image *read_square(const char *path, const struct dpl_log *log)
 {
     struct dpl_image *image = io_read(path, log);

@@ -1,6 +1,7 @@
 #include "reference/photons.h"
 
 #include "base/log.h"
+#include "base/random.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -68,21 +69,13 @@ double photons_per_texel(const struct photons *photons)
     return HALVES * pow((double)photons->strata / photons->side, 2);
 }
 
-/* Mixes a number's bits (the finalizer of SplitMix64, Steele, Lea & Flood 2014). */
-static uint64_t mix(uint64_t bits)
-{
-    bits = (bits ^ bits >> 30) * 0xbf58476d1ce4e5b9u;
-    bits = (bits ^ bits >> 27) * 0x94d049bb133111ebu;
-    return bits ^ bits >> 31;
-}
-
 /* The dimension-th number, 0 to 1 without 1, of a stratum's photon in a pass. The sequence in four dimensions steps by
  * powers of 1/φ, φ^5 = φ + 1; all of it is arithmetic modulo 1, in parts of 2^64. */
 static double draw(uint64_t stratum, uint64_t pass, int dimension)
 {
     static const uint64_t steps[4] = {0xdb4f0b9175ae2165u, 0xbbe0563303a4615fu, 0xa0f2ec75a1fe1575u,
                                       0x89e182857d9ed689u};
-    uint64_t start = mix((4 * stratum + (uint64_t)dimension + 1) * 0x9e3779b97f4a7c15u);
+    uint64_t start = random_mix((4 * stratum + (uint64_t)dimension + 1) * 0x9e3779b97f4a7c15u);
     return (double)((start + pass * steps[dimension]) >> 11) * 0x1p-53;
 }
 

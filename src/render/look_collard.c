@@ -84,7 +84,8 @@ static bool prepare(void *state_, const struct frame *frame)
     struct state *state = state_;
     struct dpl_gl *gl = frame->gl;
     return program_ready(gl, &state->ground, "render/collard_ground.glsl", "") &&
-           program_ready(gl, &state->water, "render/collard_water.glsl", "") && water_mesh_ready(&state->mesh, frame);
+           program_ready(gl, &state->water, "render/collard_water.glsl", "") &&
+           water_mesh_ready(&state->mesh, frame, 0);
 }
 
 static void draw(void *state_, const struct frame *frame)

@@ -164,7 +164,7 @@ static bool prepare(void *state_, const struct frame *frame)
     return update_sky(state, frame) && program_ready(gl, &state->floor, "render/sanchez_crespo_floor.glsl", "") &&
            program_ready(gl, &state->added, "render/sanchez_crespo_floor.glsl", "#define ADDED\n") &&
            program_ready(gl, &state->waves, "render/sanchez_crespo_waves.glsl", "") &&
-           water_mesh_ready(&state->mesh, frame);
+           water_mesh_ready(&state->mesh, frame, 0);
 }
 
 static void draw(void *state_, const struct frame *frame)

@@ -4,7 +4,7 @@
 
 #define SIDE 256 /* texels */
 
-static const struct ray_window whole = {-0.5, -0.5, 1}; /* of a map */
+static const struct ray_window whole[] = {{-0.5, -0.5, 1}, {-0.5, -0.5, 1}}; /* of a map, whatever it shows */
 static const char *const names[THUMBNAILS] = {"normals", "caustic map", "compared with"};
 
 struct dpl_thumbnail thumbnails_draw(struct dpl_gl *gl, struct thumbnails *thumbnails, int index,
@@ -19,7 +19,7 @@ struct dpl_thumbnail thumbnails_draw(struct dpl_gl *gl, struct thumbnails *thumb
     texture_draw_to(gl, texture);
     program_use(gl, &thumbnails->program);
     surface_gpu_bind(gl, surface, &thumbnails->program, 0);
-    map_texture_bind(gl, index == 2 ? other : map, &whole, 1, &thumbnails->program, 1);
+    map_texture_bind(gl, index == 2 ? other : map, whole, 1, &thumbnails->program, 1);
     program_int(gl, &thumbnails->program, "subject", index);
     gpu_draw_screen(gl);
     return (struct dpl_thumbnail){names[index], texture->name, SIDE, SIDE};

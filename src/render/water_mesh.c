@@ -25,10 +25,13 @@ static int cell_count(const struct surface_gpu *surface)
 }
 
 /* The buffer holds every triangle twice, from the first row of cells to the last and back. */
-bool water_mesh_ready(struct water_mesh *mesh, const struct frame *frame)
+bool water_mesh_ready(struct water_mesh *mesh, const struct frame *frame, int cells_max)
 {
     struct dpl_gl *gl = frame->gl;
-    int cells = cell_count(frame->surface);
+    int surface_cells = cell_count(frame->surface);
+    int stride = cells_max > 0 ? (surface_cells + cells_max - 1) / cells_max : 1;
+    int cells = (surface_cells + stride - 1) / stride;
+    mesh->stride = stride;
     if (mesh->cells == cells)
         return true;
     size_t count = (size_t)cells * (size_t)cells * 6;
@@ -71,6 +74,7 @@ void water_mesh_draw(const struct water_mesh *mesh, const struct frame *frame, c
     surface_gpu_bind(frame->gl, frame->surface, program, unit);
     program_mat4(frame->gl, program, "view_projection", frame->view_projection);
     program_int(frame->gl, program, "columns", mesh->cells + 1);
+    program_int(frame->gl, program, "stride", mesh->stride);
     program_int(frame->gl, program, "swapped", swapped);
     program_vec3(frame->gl, program, "tile", tile);
     draw_rows(mesh, frame->gl, eye[swapped ? 0 : 2] / frame->surface->size + 0.5);

@@ -7,11 +7,12 @@
 /* All zero: none yet. */
 struct water_mesh {
     GLuint array, buffer; /* vertex numbers */
-    int cells;            /* a side, that they are for */
+    int cells, stride;    /* a side, that they are for; and vertices of the surface from one of theirs to the next */
 };
 
-/* Makes the triangles of the frame's surface, or leaves them where they are as many. */
-bool water_mesh_ready(struct water_mesh *mesh, const struct frame *frame);
+/* Makes the triangles of the frame's surface, or leaves them where they are as many. Where it has more than `cells_max`
+ * cells a side (0: however many), vertices are left out. */
+bool water_mesh_ready(struct water_mesh *mesh, const struct frame *frame, int cells_max);
 
 /* Draws them with the program in use, rows of cells from the eye outwards, so that a crest is drawn before what it
  * hides and is not blended over it. Sets the uniforms of render/water_mesh.glsl; the surface is bound to `unit`.

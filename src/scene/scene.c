@@ -215,14 +215,21 @@ void scene_windows(const struct dpl_scene *scene, bool periodic, struct ray_wind
 struct dpl_entry dpl_water_model(int index)
 {
     const struct water_model *model = water_model_name(index) ? water_models[index] : NULL;
-    return model ? (struct dpl_entry){.name = model->name, .summary = model->summary, .source = model->source}
+    return model ? (struct dpl_entry){.name = model->name,
+                                      .summary = model->summary,
+                                      .source = model->source,
+                                      .disturbed = model->disturbed}
                  : (struct dpl_entry){0};
 }
 
 struct dpl_entry dpl_technique(int index)
 {
     const struct light_technique *technique = light_technique_name(index) ? light_techniques[index] : NULL;
-    return technique ? (struct dpl_entry){technique->name,     technique->summary,  technique->source,
-                                          technique->physical, technique->reflects, technique->refines}
+    return technique ? (struct dpl_entry){.name = technique->name,
+                                          .summary = technique->summary,
+                                          .source = technique->source,
+                                          .physical = technique->physical,
+                                          .reflects = technique->reflects,
+                                          .refines = technique->refines}
                      : (struct dpl_entry){0};
 }

@@ -84,9 +84,9 @@ static const float *row_of(const struct height_grid *grid, int j)
 
 void grid_fill(const struct height_grid *grid, struct surface *surface)
 {
-    const int side = grid->side;
+    const int side = grid->side, alone = 256; /* vertices a side, at most: faster than threads that wait */
     float scale = (float)(0.5 / surface_spacing(surface));
-#pragma omp parallel for
+#pragma omp parallel for if (side > alone)
     for (int j = 0; j < side; j++) {
         const float *above = row_of(grid, j - 1), *row = row_of(grid, j), *below = row_of(grid, j + 1);
         float *texels = surface->texels + (size_t)j * (size_t)side * 3;

@@ -51,3 +51,20 @@ vec3 surface_normal(vec2 xz)
     vec2 weights = second ? 1.0 - inside.yx : inside;
     return normalize(corner * (1.0 - weights.x - weights.y) + right * weights.x + below * weights.y);
 }
+
+/* Height and slopes at a place of the grid at rest, even between vertices. */
+vec3 surface_between(vec2 xz)
+{
+    vec2 place = (xz + 0.5 * surface_size) / surface_spacing();
+    ivec2 last = textureSize(surface_texels, 0) - 1;
+    if (surface_periodic == 0)
+        place = clamp(place, vec2(0.0), vec2(last));
+    vec2 cell = floor(place);
+    if (surface_periodic == 0)
+        cell = min(cell, vec2(last - 1));
+    vec2 inside = place - cell;
+    ivec2 vertex = ivec2(cell);
+    vec3 near = mix(surface_vertex(vertex), surface_vertex(vertex + ivec2(1, 0)), inside.x);
+    vec3 far = mix(surface_vertex(vertex + ivec2(0, 1)), surface_vertex(vertex + ivec2(1, 1)), inside.x);
+    return mix(near, far, inside.y);
+}

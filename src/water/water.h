@@ -93,6 +93,7 @@ struct water_model {
     const struct dpl_param *params; /* ends with PARAM_END; NULL: none */
     size_t params_size;
     size_t state_size; /* kept between frames, starts zeroed; 0: none */
+    bool disturbed;    /* drops and the sphere move it */
 
     /* The grid; 0 vertices where the setup names no mesh and the model has no grid of its own. Needs no state. */
     struct water_shape (*shape)(const struct water_setup *setup);
