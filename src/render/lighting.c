@@ -150,7 +150,7 @@ static void resize_texture(struct lighting *lighting, const struct task *task, s
                            enum map_origin origin, bool finished)
 {
     const struct dpl_scene *scene = task->scene;
-    bool periodic = task->technique->physical && water_models[scene->medium.model]->shape(&lighting->setup).periodic;
+    bool periodic = water_models[scene->medium.model]->shape(&lighting->setup).periodic;
     double receivers[LIGHT_SLICES_MAX];
     map_texture_resize(lighting->gl, texture, scene->caustics.map, task->technique->channels,
                        scene_receivers(scene, receivers), origin, finished, periodic);
