@@ -154,7 +154,7 @@ struct plane_case {
     double receiver; /* m */
     struct optics_sun sun;
     double cone;                       /* degrees, of candidates */
-    double beams, photons, hemisphere; /* accepted: RMS over columns; for beams, and above the focus alone */
+    double beams, photons, hemisphere; /* accepted: RMS over columns; 0: not tried */
 };
 
 static void expect_columns(struct fixture *fixture, const struct plane_case *expected, const char *technique,
@@ -202,6 +202,29 @@ static void a_plane_wave_gives_the_sum_over_its_folds(void **state)
     }
 }
 
+/* Light that is folded over itself is neither lost nor made: the mean is that of exact coverage. */
+static void no_light_is_lost_behind_the_focus(void **state)
+{
+    static const struct {
+        const char *technique;
+        double tolerance;
+    } cases[] = {{"photons", 0.003}, {"beams", 0.03}, {"hemisphere", 0.02}};
+    struct fixture *fixture = *state;
+    support_set(fixture->scene, "scene.depth", "4");
+    support_set(fixture->scene, "caustics.mesh", "150");
+    support_set(fixture->scene, "wave.1.cycles", "2 1");
+    support_set(fixture->scene, "wave.1.amplitude", "0.03");
+    support_set(fixture->scene, "wave.2.cycles", "-1 3");
+    support_set(fixture->scene, "wave.2.amplitude", "0.02");
+    support_set(fixture->scene, "hemisphere.cone", "8");
+    double wanted = fit_of(map_of(fixture, "coverage"), 1, NULL, false).mean;
+    for (int i = 0; i < 3; i++) {
+        double mean = fit_of(map_of(fixture, cases[i].technique), 1, NULL, false).mean;
+        if (!(fabs(mean / wanted - 1) < cases[i].tolerance))
+            fail_msg("%s: mean %.4f instead of %.4f", cases[i].technique, mean, wanted);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -209,6 +232,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(photons_on_flat_water_have_the_grain_of_their_number, setup, teardown),
         cmocka_unit_test_setup_teardown(the_share_of_useful_candidates_is_the_lamps_of_the_cone, setup, teardown),
         cmocka_unit_test_setup_teardown(the_share_is_told_once, setup, teardown),
+        cmocka_unit_test_setup_teardown(no_light_is_lost_behind_the_focus, setup, teardown),
         cmocka_unit_test_setup_teardown(a_plane_wave_gives_the_sum_over_its_folds, setup, teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
