@@ -18,8 +18,7 @@ static void write_heights(const char *path)
     struct dpl_image *image = dpl_image_create(24, 24, NULL);
     for (int i = 0; i < 24 * 24; i++)
         for (int c = 0; c < 3; c++)
-            image->pixels[i * 3 + c] =
-                (float)(0.25 * sin(2 * M_PI * (i % 24) / 24) * cos(4 * M_PI * (i / 24) / 24));
+            image->pixels[i * 3 + c] = (float)(0.25 * sin(2 * M_PI * (i % 24) / 24) * cos(4 * M_PI * (i / 24) / 24));
     assert_true(dpl_image_save(image, path, NULL, NULL));
     dpl_image_destroy(image);
 }
