@@ -5,11 +5,13 @@
 #include <math.h>
 #include <stdlib.h>
 
-extern const struct water_model water_sines, water_ocean, water_ripples, water_fbm, water_heightfield, water_collard, water_sum;
-
-const struct water_model *const water_models[] = {&water_sines, &water_ocean, &water_ripples, &water_fbm, &water_heightfield, &water_collard, &water_sum, NULL};
+extern const struct water_model water_sines, water_ocean, water_ripples, water_fbm, water_heightfield, water_collard,
+    water_sum;
 
 /* The sum comes last: it adds up those before it. */
+const struct water_model *const water_models[] = {&water_sines,       &water_ocean,   &water_ripples, &water_fbm,
+                                                  &water_heightfield, &water_collard, &water_sum,     NULL};
+
 const char *water_model_name(int i)
 {
     const int count = sizeof water_models / sizeof *water_models - 1;
