@@ -89,6 +89,7 @@ static void choose(struct wavefront *params, int k)
     params->area = k & 1 ? WAVEFRONT_LENGTHS : WAVEFRONT_DETERMINANT;
     params->folds = k & 2 ? WAVEFRONT_OVERWRITE : WAVEFRONT_ADD;
     params->weights = !(k & 4);
+    params->most = k & 4 ? 64 : 3;
 }
 
 /* Without a texel left out or drawn twice, however the mesh lies. */
@@ -130,6 +131,7 @@ static void expect_plain(struct fixture *fixture, int side, double share)
         .lengths = fixture->params.area == WAVEFRONT_LENGTHS,
         .overwrite = fixture->params.folds == WAVEFRONT_OVERWRITE,
         .unweighted = !fixture->params.weights,
+        .most = fixture->params.most,
     };
     trace(fixture, side);
     wavefront_map(&c, wanted);

@@ -8,6 +8,7 @@
 struct wavefront_case {
     struct coverage_case water; /* its columns are the mesh's */
     bool lengths, overwrite, unweighted;
+    double most; /* ratio of areas */
 };
 
 /* Twice the area of the triangle from corner `k` on whose last corner is (x, z). */
@@ -36,7 +37,7 @@ static inline double wavefront_ratio(const struct coverage_point t[3], bool leng
 
 static inline void wavefront_add(const struct wavefront_case *c, const struct coverage_point t[3], double *map)
 {
-    double ratio = fmin(wavefront_ratio(t, c->lengths), 2048);
+    double ratio = fmin(wavefront_ratio(t, c->lengths), c->most);
     int first_x = (int)floor(fmin(fmin(t[0].x, t[1].x), t[2].x)), side = c->water.side;
     int last_x = (int)floor(fmax(fmax(t[0].x, t[1].x), t[2].x));
     int first_z = (int)floor(fmin(fmin(t[0].z, t[1].z), t[2].z));

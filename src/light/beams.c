@@ -11,12 +11,14 @@
 #include "light/beams.h"
 
 #include "base/log.h"
+#include "base/threads.h"
+#include "light/triangles.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
-#define STEPS 256         /* a texel, of corners: triangles with a common edge neither overlap nor leave a gap */
-#define EXTENT_MAX 0x1p20 /* texels of a triangle; wider ones, of bounded water, are too dim to be seen */
+#define STEPS 256 /* a texel, of corners: as GPUs draw, so that both see the same triangles */
 
 static const struct dpl_param params[] = {
     PARAM_FLOAT(struct beams, most, 64, 1, 1000000, "",
@@ -32,10 +34,15 @@ struct vertex {
     bool arrives;
 };
 
+/* Of the places of a row of vertices along z, texels. */
+struct range {
+    double least, most;
+};
+
 struct state {
     struct vertex *vertices; /* rows × columns, with the repeated edge of a periodic surface */
-    size_t room;
-    struct tracing_sums sums;
+    struct range *ranges;    /* rows */
+    int columns, rows;       /* that there is room for */
     struct beams_gpu gpu;
 };
 
@@ -49,15 +56,28 @@ struct task {
     struct ray_medium rays;
 };
 
+static void free_vertices(struct state *state)
+{
+    free(state->vertices);
+    free(state->ranges);
+    state->vertices = NULL;
+    state->ranges = NULL;
+    state->columns = state->rows = 0;
+}
+
 static bool resize(struct state *state, const struct task *task, const struct dpl_log *log)
 {
-    size_t count = (size_t)task->columns * (size_t)task->rows;
-    if (state->room >= count)
+    if (state->columns == task->columns && state->rows == task->rows)
         return true;
-    free(state->vertices);
-    state->vertices = base_allocate(log, count, sizeof *state->vertices, "light");
-    state->room = state->vertices ? count : 0;
-    return state->vertices != NULL;
+    free_vertices(state);
+    size_t columns = (size_t)task->columns, rows = (size_t)task->rows;
+    state->vertices = base_allocate(log, columns * rows, sizeof *state->vertices, "light");
+    state->ranges = base_allocate(log, rows, sizeof *state->ranges, "light");
+    if (!state->vertices || !state->ranges)
+        return false;
+    state->columns = task->columns;
+    state->rows = task->rows;
+    return true;
 }
 
 static struct ray_point point_at(const struct task *task, int i, int j)
@@ -102,112 +122,76 @@ static double doubled_area(const double a[2], const double b[2], const double c[
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-/* An edge as a function that is positive on the triangle's side of it, in steps; what lies on the edge belongs to one
- * of the two triangles beside it. */
-struct edge {
-    int64_t value, along_x, along_z; /* at the first texel's centre; its change from texel to texel */
-};
-
-static struct edge edge_of(const int64_t a[2], const int64_t b[2], const int first[2])
-{
-    int64_t run = b[0] - a[0], rise = b[1] - a[1];
-    int64_t x = (int64_t)first[0] * STEPS + STEPS / 2 - a[0], z = (int64_t)first[1] * STEPS + STEPS / 2 - a[1];
-    bool owned = rise > 0 || (rise == 0 && run > 0);
-    return (struct edge){run * z - rise * x - (owned ? 0 : 1), -rise * STEPS, run * STEPS};
-}
-
-/* Step 4 for one copy of a triangle. Corners turn from x to z. */
-static void fill(const int64_t corners[3][2], const double light[3], struct tracing_sums *sums)
-{
-    int first[2], last[2];
-    for (int k = 0; k < 2; k++) {
-        int64_t a = corners[0][k], b = corners[1][k], c = corners[2][k];
-        int64_t least = a < b ? a : b, most = a > b ? a : b, end = (int64_t)sums->side * STEPS;
-        least = c < least ? c : least;
-        most = c > most ? c : most;
-        first[k] = least < 0 ? 0 : (int)(least / STEPS);
-        last[k] = most < end ? (int)(most / STEPS) : sums->side - 1;
-        if (most < 0)
-            return;
-    }
-    struct edge edges[3];
-    for (int k = 0; k < 3; k++)
-        edges[k] = edge_of(corners[k], corners[(k + 1) % 3], first);
-    for (int z = first[1]; z <= last[1]; z++) {
-        int64_t at[3] = {edges[0].value, edges[1].value, edges[2].value};
-        for (int x = first[0]; x <= last[0]; x++) {
-            if ((at[0] | at[1] | at[2]) >= 0) /* none is negative */
-                tracing_sums_add(sums, x, z, light);
-            for (int k = 0; k < 3; k++)
-                at[k] += edges[k].along_x;
-        }
-        for (int k = 0; k < 3; k++)
-            edges[k].value += edges[k].along_z;
-    }
-}
-
-static void fill_copies(const struct task *task, const struct vertex *const vertices[3], bool turned,
-                        const double least[2], const double most[2], const double light[3], struct tracing_sums *sums)
-{
-    const struct tracing_view *view = &task->view;
-    double start[2];
-    int columns = tracing_copies(view, least[0], most[0], start);
-    int rows = tracing_copies(view, least[1], most[1], start + 1);
-    for (int copy = 0; copy < rows * columns; copy++) {
-        const double moved[2] = {start[0] + copy % columns * view->period, start[1] + copy / columns * view->period};
-        int64_t corners[3][2];
-        for (int i = 0; i < 3; i++)
-            for (int k = 0; k < 2; k++)
-                corners[turned ? 2 - i : i][k] = llrint((vertices[i]->place[k] + moved[k]) * STEPS);
-        fill(corners, light, sums);
-    }
-}
-
 /* Steps 2 and 3. */
-static void add_triangle(const struct task *task, const struct vertex *a, const struct vertex *b,
-                         const struct vertex *c, struct tracing_sums *sums)
+static void draw_triangle(const struct task *task, const struct triangle_band *band, const struct vertex *a,
+                          const struct vertex *b, const struct vertex *c)
 {
     const struct beams *p = task->input->params;
-    double least[2], most[2], light[3], period = task->view.period;
-    double area = doubled_area(a->above, b->above, c->above) / 2,
-           image = doubled_area(a->place, b->place, c->place) / 2;
+    const struct vertex *const vertices[3] = {a, b, c};
+    struct triangle_corner corners[3];
+    double area = doubled_area(a->above, b->above, c->above), image = doubled_area(a->place, b->place, c->place);
     if (!a->arrives || !b->arrives || !c->arrives || area <= 0 || image == 0)
         return;
-    for (int k = 0; k < 2; k++) {
-        least[k] = fmin(fmin(a->place[k], b->place[k]), c->place[k]);
-        most[k] = fmax(fmax(a->place[k], b->place[k]), c->place[k]);
+    for (int i = 0; i < 3; i++) {
+        corners[i].x = rint(vertices[i]->place[0] * STEPS) / STEPS;
+        corners[i].z = rint(vertices[i]->place[1] * STEPS) / STEPS;
+        for (int k = 0; k < 3; k++) {
+            double mean = (double)(a->light[k] + b->light[k] + c->light[k]) / 3;
+            corners[i].light[k] = (float)fmin(area / fabs(image) * mean, p->most);
+        }
     }
-    double extent = fmax(most[0] - least[0], most[1] - least[1]);
-    bool even = period > 0 && extent > period; /* wider than the tile: as good as even */
-    double density = even ? area / (period * period) : area / fabs(image);
-    for (int i = 0; i < 3; i++)
-        light[i] = fmin(density * (double)(a->light[i] + b->light[i] + c->light[i]) / 3, p->most);
-    if (even)
-        tracing_sums_add_everywhere(sums, light);
-    else if (extent < EXTENT_MAX)
-        fill_copies(task, (const struct vertex *const[]){a, b, c}, image < 0, least, most, light, sums);
+    triangle_draw(band, corners);
 }
 
-static void trace_color(struct state *state, const struct task *task, int color)
+/* Step 4 for the rows of the map that are one thread's. */
+static void draw_band(const struct state *state, const struct task *task, const struct triangle_band *band)
 {
-    const struct vertex *vertices = state->vertices;
+    for (int j = 0; j < task->rows - 1; j++) {
+        const struct vertex *upper = state->vertices + (size_t)j * (size_t)task->columns;
+        const struct vertex *lower = upper + task->columns;
+        const struct range *ranges = state->ranges + j;
+        if (!triangle_band_reaches(band, fmin(ranges[0].least, ranges[1].least), fmax(ranges[0].most, ranges[1].most)))
+            continue;
+        for (int i = 0; i < task->columns - 1; i++) {
+            draw_triangle(task, band, upper + i, upper + i + 1, lower + i);
+            draw_triangle(task, band, upper + i + 1, lower + i + 1, lower + i);
+        }
+    }
+}
+
+static void trace_row(const struct state *state, const struct task *task, int j, int color)
+{
+    struct vertex *row = state->vertices + (size_t)j * (size_t)task->columns;
+    struct range range = {INFINITY, -INFINITY};
+    for (int i = 0; i < task->columns; i++) {
+        row[i] = trace_vertex(task, i, j, color);
+        range.least = row[i].arrives ? fmin(range.least, row[i].place[1]) : range.least;
+        range.most = row[i].arrives ? fmax(range.most, row[i].place[1]) : range.most;
+    }
+    state->ranges[j] = range;
+}
+
+static void trace_color(const struct state *state, const struct task *task, int color, float *texels)
+{
+    int bands = threads_most(), side = task->view.side;
 #pragma omp parallel for schedule(static)
     for (int j = 0; j < task->rows; j++)
-        for (int i = 0; i < task->columns; i++)
-            state->vertices[(size_t)j * (size_t)task->columns + (size_t)i] = trace_vertex(task, i, j, color);
-#pragma omp parallel for schedule(static)
-    for (int j = 0; j < task->rows - 1; j++) {
-        const struct vertex *upper = vertices + (size_t)j * (size_t)task->columns, *lower = upper + task->columns;
-        for (int i = 0; i < task->columns - 1; i++) {
-            add_triangle(task, upper + i, upper + i + 1, lower + i, &state->sums);
-            add_triangle(task, upper + i + 1, lower + i + 1, lower + i, &state->sums);
-        }
+        trace_row(state, task, j, color);
+#pragma omp parallel for
+    for (int b = 0; b < bands; b++) {
+        const struct triangle_band band = {
+            .texels = texels,
+            .side = side,
+            .first = (int)((int64_t)side * b / bands),
+            .end = (int)((int64_t)side * (b + 1) / bands),
+            .periodic = task->view.period > 0,
+        };
+        draw_band(state, task, &band);
     }
 }
 
 static bool trace(void *state_, const struct light_input *input, struct light_map *map)
 {
-    static const double scale[3] = {1, 1, 1};
     struct state *state = state_;
     const struct surface *surface = input->surface;
     struct task task = {
@@ -222,11 +206,10 @@ static bool trace(void *state_, const struct light_input *input, struct light_ma
     for (int slice = 0; slice < map->slices; slice++) {
         task.view = tracing_view_of(input, input->surface->periodic, map->side, slice);
         task.receiver = input->receivers[slice];
-        if (!tracing_sums_start(&state->sums, map->side, input->log))
-            return false;
+        float *texels = light_map_slice(map, slice);
+        memset(texels, 0, sizeof *texels * 3 * (size_t)map->side * (size_t)map->side);
         for (int c = 0; c < 3; c += tracing_colors_together(&task.rays))
-            trace_color(state, &task, c);
-        tracing_sums_read(&state->sums, scale, light_map_slice(map, slice));
+            trace_color(state, &task, c, texels);
     }
     return true;
 }
@@ -242,8 +225,7 @@ static void finish(void *state_, struct dpl_gl *gl)
     struct state *state = state_;
     if (gl)
         beams_gpu_finish(&state->gpu, gl);
-    free(state->vertices);
-    tracing_sums_finish(&state->sums);
+    free_vertices(state);
     *state = (struct state){0};
 }
 

@@ -9,7 +9,7 @@
  * The sum is the irradiance but for chance, as long as the cone holds all ways to the lamp. Most candidates are of no
  * use; the log says how many are. Candidates follow an additive sequence (Roberts 2018), with a start of its own for
  * each texel (Cranley & Patterson 1976). */
-#include "light/tracing.h"
+#include "light/tracing_gpu.h"
 
 #include "base/log.h"
 #include "optics/refraction.h"
@@ -40,6 +40,8 @@ static const struct dpl_param params[] = {
 };
 
 struct state {
+    struct gpu_program program;
+    struct tracing_blend blend;
     struct hemisphere told; /* for which the log knows the share of useful candidates */
 };
 
@@ -51,6 +53,7 @@ struct task {
     double near_square; /* m² */
     double receiver;    /* m */
     enum ray_kind kind;
+    struct optics_sun sun; /* the lamp as one, and as a disc */
     struct optics_disc lamp;
     double lamp_cosine;
     struct ray_medium rays;
@@ -81,6 +84,25 @@ static void aim(struct task *task)
     memcpy(task->across, (const double[3]){-z, 0, x}, sizeof task->across);
     memcpy(task->along, (const double[3]){down[1] * x, -level, down[1] * z}, sizeof task->along);
     task->cap = 1 - cos(p->cone * M_PI / 180);
+}
+
+static struct task task_of(const struct light_input *input, bool periodic, int side, int slice)
+{
+    const struct hemisphere *p = input->params;
+    struct task task = {
+        .input = input,
+        .view = tracing_view_of(input, periodic, side, slice),
+        .receiver = input->receivers[slice],
+        .kind = ray_kind_of(input->receivers[slice]),
+        .sun = *input->sun,
+    };
+    task.sun.angular_radius = fmax(p->lamp > 0 ? p->lamp : input->sun->angular_radius, NARROWEST);
+    task.lamp = optics_sun_disc(&task.sun);
+    task.lamp_cosine = cos(task.sun.angular_radius * M_PI / 180);
+    task.near_square = pow(NEAR / task.view.texels_a_meter, 2);
+    ray_medium_start(&task.rays, input->medium, &task.lamp);
+    aim(&task);
+    return task;
 }
 
 /* Step 1: equal areas of the unit square stand for equal solid angles of the cone. */
@@ -202,18 +224,10 @@ static bool trace(void *state_, const struct light_input *input, struct light_ma
 {
     struct state *state = state_;
     const struct hemisphere *p = input->params;
-    struct optics_sun sun = *input->sun;
     double useful = 0;
-    sun.angular_radius = fmax(p->lamp > 0 ? p->lamp : sun.angular_radius, NARROWEST);
-    struct task task = {.input = input, .surface = tracing_surface_of(input->surface), .lamp = optics_sun_disc(&sun)};
-    task.lamp_cosine = cos(sun.angular_radius * M_PI / 180);
-    ray_medium_start(&task.rays, input->medium, &task.lamp);
     for (int slice = 0; slice < map->slices; slice++) {
-        task.receiver = input->receivers[slice];
-        task.kind = ray_kind_of(task.receiver);
-        task.view = tracing_view_of(input, input->surface->periodic, map->side, slice);
-        task.near_square = pow(NEAR / task.view.texels_a_meter, 2);
-        aim(&task);
+        struct task task = task_of(input, input->surface->periodic, map->side, slice);
+        task.surface = tracing_surface_of(input->surface);
         useful += (double)trace_slice(&task, map, slice);
     }
     if (memcmp(&state->told, p, sizeof *p) != 0)
@@ -223,10 +237,54 @@ static bool trace(void *state_, const struct light_input *input, struct light_ma
     return true;
 }
 
+static void draw_color(struct state *state, struct dpl_gl *gl, const struct task *task, const struct tracing_rays *rays)
+{
+    const struct gpu_program *program = &state->program;
+    const struct hemisphere *p = task->input->params;
+    const double corner[3] = {task->view.corner[0], task->view.corner[1], 0};
+    double scale[3];
+    find_scale(task, scale);
+    tracing_blend_begin(gl, &state->blend, task->view.side, 0, rays->color == 0);
+    program_use(gl, program);
+    tracing_rays_bind(gl, rays, program);
+    program_vec3(gl, program, "corner", corner);
+    program_vec3(gl, program, "axis", task->axis);
+    program_vec3(gl, program, "across", task->across);
+    program_vec3(gl, program, "along", task->along);
+    program_vec3(gl, program, "scale", scale);
+    program_float(gl, program, "cap", task->cap);
+    program_float(gl, program, "lamp_square", 2 * (1 - task->lamp_cosine));
+    program_float(gl, program, "near_square", task->near_square);
+    program_int(gl, program, "candidates", p->candidates);
+    program_int(gl, program, "seed", task->input->seed);
+    gpu_draw_screen(gl);
+    tracing_blend_end(gl);
+}
+
+static bool draw(void *state_, struct dpl_gl *gl, const struct light_input *input, struct gpu_texture *map)
+{
+    struct state *state = state_;
+    bool periodic = input->surface_gpu->periodic;
+    if (!program_ready(gl, &state->program, "light/hemisphere.glsl", "") || !tracing_blend_ready(gl, &state->blend))
+        return false;
+    for (int slice = 0; slice < input->slices; slice++) {
+        const struct task task = task_of(input, periodic, map->width, slice);
+        for (int c = 0; c < 3; c += tracing_colors_together(&task.rays)) {
+            const struct tracing_rays rays = tracing_rays_of(input, &task.sun, map->width, slice, c);
+            draw_color(state, gl, &task, &rays);
+        }
+        tracing_blend_draw(gl, &state->blend, periodic, 0, map, slice);
+    }
+    return true;
+}
+
 static void finish(void *state_, struct dpl_gl *gl)
 {
     struct state *state = state_;
-    (void)gl;
+    if (gl) {
+        program_finish(gl, &state->program);
+        tracing_blend_finish(gl, &state->blend);
+    }
     *state = (struct state){0};
 }
 
@@ -242,5 +300,6 @@ const struct light_technique light_hemisphere = {
     .energy = 0.05,
     .reflects = true,
     .trace = trace,
+    .draw = draw,
     .finish = finish,
 };

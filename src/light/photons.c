@@ -7,11 +7,12 @@
  *
  * Grain falls with the square root of the number of photons. `reference` sends them evenly, through the water's own
  * surface, and until there are enough. */
-#include "light/tracing.h"
+#include "light/tracing_gpu.h"
 
 #include <math.h>
 
 #define SIDE_MAX 32768 /* squares of photons along a side of the surface */
+#define MARGIN 2       /* texels around the map that a photon on its edge lights */
 
 enum spread { SPREAD_NEAREST, SPREAD_BILINEAR };
 
@@ -35,6 +36,8 @@ static const struct dpl_param params[] = {
 
 struct state {
     struct tracing_sums sums;
+    struct gpu_program program;
+    struct tracing_blend blend;
 };
 
 /* What is the same for all photons on one receiver. */
@@ -43,7 +46,6 @@ struct task {
     struct tracing_surface surface;
     struct tracing_view view;
     double receiver; /* m */
-    int side;        /* squares along a side of the surface; each sends `count` photons, to anywhere */
     struct optics_disc disc;
     struct ray_medium rays;
 };
@@ -97,6 +99,25 @@ static void send(const struct task *task, const uint32_t counters[4], struct tra
     }
 }
 
+/* Squares of photons along a side of the surface; `per_texel`: how many photons a texel then gets under flat water. */
+static int choose_squares(const struct photons *p, const struct tracing_view *view, double size, double *per_texel)
+{
+    double texels = size * view->texels_a_meter;
+    int squares = (int)fmin(ceil(texels), SIDE_MAX);
+    *per_texel = p->count * pow(squares / texels, 2);
+    return squares;
+}
+
+/* From the sum of a texel's photons to units of flat water, whose light comes from all of the sun. */
+static void find_scale(const struct ray_medium *rays, const struct optics_disc *disc, double receiver, double per_texel,
+                       double scale[3])
+{
+    double flat[3];
+    ray_flat_mean(rays, disc, receiver, flat);
+    for (int c = 0; c < 3; c++)
+        scale[c] = flat[c] > 0 ? 1 / (flat[c] * per_texel) : 0;
+}
+
 static bool trace(void *state_, const struct light_input *input, struct light_map *map)
 {
     struct state *state = state_;
@@ -105,21 +126,66 @@ static bool trace(void *state_, const struct light_input *input, struct light_ma
         .input = input, .surface = tracing_surface_of(input->surface), .disc = optics_sun_disc(input->sun)};
     ray_medium_start(&task.rays, input->medium, &task.disc);
     for (int slice = 0; slice < map->slices; slice++) {
-        double flat[3], scale[3];
+        double scale[3], per_texel;
         task.view = tracing_view_of(input, input->surface->periodic, map->side, slice);
         task.receiver = input->receivers[slice];
-        task.side = (int)fmin(ceil(input->surface->size * task.view.texels_a_meter), SIDE_MAX);
+        int squares = choose_squares(p, &task.view, input->surface->size, &per_texel);
         if (!tracing_sums_start(&state->sums, map->side, input->log))
             return false;
 #pragma omp parallel for schedule(static)
-        for (int j = 0; j < task.side; j++)
-            for (int i = 0; i < task.side * p->count; i++)
+        for (int j = 0; j < squares; j++)
+            for (int i = 0; i < squares * p->count; i++)
                 send(&task, (uint32_t[4]){(uint32_t)i, (uint32_t)j, (uint32_t)input->seed, 0}, &state->sums);
-        ray_flat_mean(&task.rays, &task.disc, task.receiver, flat);
-        double per_texel = p->count * pow(task.side / (input->surface->size * task.view.texels_a_meter), 2);
-        for (int c = 0; c < 3; c++)
-            scale[c] = flat[c] > 0 ? 1 / (flat[c] * per_texel) : 0;
+        find_scale(&task.rays, &task.disc, task.receiver, per_texel, scale);
         tracing_sums_read(&state->sums, scale, light_map_slice(map, slice));
+    }
+    return true;
+}
+
+/* The photons of some colours, in as many calls as a square sends photons. */
+static void draw_color(struct state *state, struct dpl_gl *gl, const struct tracing_rays *rays)
+{
+    const struct light_input *input = rays->input;
+    const struct photons *p = input->params;
+    const struct gpu_program *program = &state->program;
+    double scale[3], per_texel;
+    int squares = choose_squares(p, &rays->view, input->setup->size, &per_texel);
+    find_scale(&rays->medium, &rays->disc, rays->receiver, per_texel, scale);
+    tracing_blend_begin(gl, &state->blend, rays->view.side, MARGIN, rays->color == 0);
+    program_use(gl, program);
+    tracing_rays_bind(gl, rays, program);
+    program_vec3(gl, program, "disc_up", rays->disc.up);
+    program_vec3(gl, program, "disc_across", rays->disc.across);
+    program_int(gl, program, "squares", squares);
+    program_int(gl, program, "count", p->count);
+    program_int(gl, program, "seed", input->seed);
+    program_int(gl, program, "side", rays->view.side);
+    program_int(gl, program, "margin", MARGIN);
+    program_float(gl, program, "width", p->spread == SPREAD_NEAREST ? 1 : 2);
+    program_vec3(gl, program, "scale", scale);
+    if (!gl->info.es)
+        gl->Enable(GL_PROGRAM_POINT_SIZE);
+    for (int i = 0; i < p->count; i++) {
+        program_int(gl, program, "number", i);
+        gl->DrawArrays(GL_POINTS, 0, squares * squares);
+    }
+    if (!gl->info.es)
+        gl->Disable(GL_PROGRAM_POINT_SIZE);
+    tracing_blend_end(gl);
+}
+
+static bool draw(void *state_, struct dpl_gl *gl, const struct light_input *input, struct gpu_texture *map)
+{
+    struct state *state = state_;
+    int together = input->medium->dispersion > 0 ? 1 : 3;
+    if (!program_ready(gl, &state->program, "light/photons.glsl", "") || !tracing_blend_ready(gl, &state->blend))
+        return false;
+    for (int slice = 0; slice < input->slices; slice++) {
+        for (int c = 0; c < 3; c += together) {
+            const struct tracing_rays rays = tracing_rays_of(input, input->sun, map->width, slice, c);
+            draw_color(state, gl, &rays);
+        }
+        tracing_blend_draw(gl, &state->blend, input->surface_gpu->periodic, MARGIN, map, slice);
     }
     return true;
 }
@@ -127,7 +193,10 @@ static bool trace(void *state_, const struct light_input *input, struct light_ma
 static void finish(void *state_, struct dpl_gl *gl)
 {
     struct state *state = state_;
-    (void)gl;
+    if (gl) {
+        program_finish(gl, &state->program);
+        tracing_blend_finish(gl, &state->blend);
+    }
     tracing_sums_finish(&state->sums);
 }
 
@@ -143,5 +212,6 @@ const struct light_technique light_photons = {
     .energy = 0.005,
     .reflects = true,
     .trace = trace,
+    .draw = draw,
     .finish = finish,
 };

@@ -13,7 +13,7 @@
 struct precomputed {
     char files[DPL_PARAM_TEXT_SIZE];
     double loop;
-    int repeat, frames, side, seed;
+    int repeat, frames, side;
     double correlation, height, depth, wavelength;
     int colors;
 };
@@ -23,9 +23,8 @@ static const struct dpl_param params[] = {
                "folder of numbered maps, or their names, as in loop/%04d.exr; empty = maps by wave theory"),
     PARAM_FLOAT(struct precomputed, loop, 4, 0.01, 3600, "s", "all maps are shown in this time; scene.loop, where set"),
     PARAM_INT(struct precomputed, repeat, 1, 1, 64, "", "how often the maps stand side by side in the tile"),
-    PARAM_INT(struct precomputed, frames, 120, 1, 240, "", "wave theory: maps to make; between them light fades over"),
+    PARAM_INT(struct precomputed, frames, 120, 1, 480, "", "wave theory: maps to make; between them light fades over"),
     PARAM_INT(struct precomputed, side, 256, 4, 1024, "texels", "wave theory: side of the maps; best a power of 2"),
-    PARAM_INT(struct precomputed, seed, 1, 0, 1000000, "", "wave theory: start of the random waves"),
     PARAM_FLOAT(struct precomputed, correlation, 0.3, 0.001, 1000, "m",
                 "wave theory: length over which the correlation of the waves' heights falls to 1/e"),
     PARAM_FLOAT(struct precomputed, height, 0.04, 0, 10, "m", "wave theory: RMS of the waves' heights"),
@@ -69,7 +68,7 @@ static bool ready_caustics(struct precomputed_state *state, const struct light_i
     struct random_caustics_recipe recipe = {
         .side = p->side,
         .frames = p->frames,
-        .seed = p->seed,
+        .seed = input->seed,
         .colors = p->colors,
         .tile = input->setup->size / p->repeat,
         .loop = loop_length(input),

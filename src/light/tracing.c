@@ -114,7 +114,6 @@ int tracing_copies(const struct tracing_view *view, double least, double most, d
 bool tracing_sums_start(struct tracing_sums *sums, int side, const struct dpl_log *log)
 {
     size_t count = (size_t)side * (size_t)side * 3;
-    memset(sums->everywhere, 0, sizeof sums->everywhere);
     if (sums->texels && sums->side == side) {
         memset(sums->texels, 0, count * sizeof *sums->texels);
         return true;
@@ -131,33 +130,25 @@ void tracing_sums_finish(struct tracing_sums *sums)
     *sums = (struct tracing_sums){0};
 }
 
-static void add(uint64_t sums[3], const double light[3])
+void tracing_sums_add(struct tracing_sums *sums, int x, int z, const double light[3])
 {
+    if (x < 0 || z < 0 || x >= sums->side || z >= sums->side)
+        return;
+    uint64_t *texel = sums->texels + ((size_t)z * (size_t)sums->side + (size_t)x) * 3;
     for (int c = 0; c < 3; c++) {
         uint64_t parts = (uint64_t)(fmin(light[c], LIGHT_MAX) * PARTS + 0.5);
         if (parts > 0) {
 #pragma omp atomic
-            sums[c] += parts;
+            texel[c] += parts;
         }
     }
-}
-
-void tracing_sums_add(struct tracing_sums *sums, int x, int z, const double light[3])
-{
-    if (x >= 0 && z >= 0 && x < sums->side && z < sums->side)
-        add(sums->texels + ((size_t)z * (size_t)sums->side + (size_t)x) * 3, light);
-}
-
-void tracing_sums_add_everywhere(struct tracing_sums *sums, const double light[3])
-{
-    add(sums->everywhere, light);
 }
 
 void tracing_sums_read(const struct tracing_sums *sums, const double scale[3], float *texels)
 {
     size_t count = (size_t)sums->side * (size_t)sums->side * 3;
     for (size_t i = 0; i < count; i++)
-        texels[i] = (float)((double)(sums->texels[i] + sums->everywhere[i % 3]) * (scale[i % 3] / PARTS));
+        texels[i] = (float)((double)sums->texels[i] * (scale[i % 3] / PARTS));
 }
 
 void tracing_random(const uint32_t counters[4], double numbers[4])

@@ -39,7 +39,6 @@ int tracing_copies(const struct tracing_view *view, double least, double most, d
 struct tracing_sums {
     int side;
     uint64_t *texels;
-    uint64_t everywhere[3]; /* on top of each texel */
 };
 /* Starts with darkness. */
 bool tracing_sums_start(struct tracing_sums *sums, int side, const struct dpl_log *log);
@@ -47,9 +46,6 @@ void tracing_sums_finish(struct tracing_sums *sums);
 
 /* Adds light to a texel; beyond the view there is none. May be called by several threads at once. */
 void tracing_sums_add(struct tracing_sums *sums, int x, int z, const double light[3]);
-
-/* The same for all texels at once. */
-void tracing_sums_add_everywhere(struct tracing_sums *sums, const double light[3]);
 
 /* The sums, each colour times its scale. */
 void tracing_sums_read(const struct tracing_sums *sums, const double scale[3], float *texels);

@@ -30,7 +30,8 @@ struct tracing_blend {
 };
 bool tracing_blend_ready(struct dpl_gl *gl, struct tracing_blend *blend);
 
-/* What is drawn from now on is added up. `margin`: texels; `clear`: begins with darkness. */
+/* What is drawn from now on is added up. `margin`: texels; `clear`: begins with darkness. Textures are bound after it.
+ */
 void tracing_blend_begin(struct dpl_gl *gl, struct tracing_blend *blend, int side, int margin, bool clear);
 void tracing_blend_end(struct dpl_gl *gl);
 

@@ -112,3 +112,11 @@ void triangle_draw(const struct triangle_band *band, const struct triangle_corne
         }
     }
 }
+
+bool triangle_band_reaches(const struct triangle_band *band, double least, double most)
+{
+    double side = band->side, turns = band->periodic ? floor((least - band->first) / side) : 0;
+    least -= turns * side;
+    most -= turns * side;
+    return (least < band->end && most > band->first) || (band->periodic && most > band->first + side);
+}

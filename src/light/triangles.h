@@ -26,4 +26,7 @@ struct triangle_band {
 #define TRIANGLE_WIDEST 8
 void triangle_draw(const struct triangle_band *band, const struct triangle_corner corners[3]);
 
+/* True where something from `least` to `most` along z, texels, may reach rows of the band. */
+bool triangle_band_reaches(const struct triangle_band *band, double least, double most);
+
 #endif

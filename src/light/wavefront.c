@@ -45,6 +45,8 @@ static const struct dpl_param params[] = {
     PARAM_BOOL(struct wavefront, weights, true,
                "true: light by projected area, Fresnel's share and absorption; false: the ratio of areas alone, as "
                "Wallace's demo"),
+    PARAM_FLOAT(struct wavefront, most, 64, 1, 16384, "",
+                "largest ratio of areas of one triangle: less sparkle at folds, less light"),
     PARAM_END,
 };
 
@@ -93,6 +95,7 @@ const struct light_technique light_wavefront = {
     .state_size = sizeof(struct wavefront_state),
     .channels = 3,
     .physical = true,
+    .energy = 0.05,
     .reflects = true,
     .trace = wavefront_trace,
     .draw = wavefront_draw,

@@ -5,10 +5,6 @@
 #include "light/coverage.h"
 #include "light/light.h"
 
-/* The largest ratio of areas. At a fold a triangle's image has no area and the ratio no end; halves end at 65504. What
- * is cut off is light of triangles that are drawn smaller than this, about a 2000th of that near a fold. */
-#define WAVEFRONT_RATIO_MAX 2048.0
-
 enum wavefront_variant { WAVEFRONT_DERIVATIVES, WAVEFRONT_GEOMETRY, WAVEFRONT_NEIGHBOURS, WAVEFRONT_VARIANTS };
 enum wavefront_area { WAVEFRONT_DETERMINANT, WAVEFRONT_LENGTHS };
 enum wavefront_folds { WAVEFRONT_ADD, WAVEFRONT_OVERWRITE };
@@ -18,6 +14,7 @@ struct wavefront {
     int variant, area, folds;
     int mesh; /* cells a side; 0: as the surface */
     bool weights;
+    double most; /* ratio of areas: at a fold an image has none, and the ratio no end */
 };
 
 /* A vertex of the mesh on one receiver. */

@@ -1,6 +1,6 @@
 /* A piece of the mesh before and after, with edges a and b that start at the same corner. */
 uniform int lengths;     /* 1: the product of the lengths of the derivatives, as Wallace's demo; 0: the true area */
-uniform float ratio_max; /* a fold's image has no area */
+uniform float most; /* a fold's image has no area */
 
 float cross_product(vec2 a, vec2 b)
 {
@@ -9,7 +9,7 @@ float cross_product(vec2 a, vec2 b)
 
 float bounded_ratio(float before, float after)
 {
-    return before < after * ratio_max ? before / after : ratio_max;
+    return before < after * most ? before / after : most;
 }
 
 /* Edges that are a step of a texel along either axis of the map. */

@@ -136,17 +136,17 @@ static double cross(const double a[2], const double b[2])
 }
 
 /* Step 3. The lengths are those of the derivatives of the place before along the map's axes. */
-static float ratio_of(const struct edges *before, const struct edges *after, bool lengths)
+static float ratio_of(const struct edges *before, const struct edges *after, const struct wavefront *params)
 {
     double doubled = cross(after->a, after->b), ratio = fabs(cross(before->a, before->b) / doubled);
-    if (lengths) {
+    if (params->area == WAVEFRONT_LENGTHS) {
         double per_x = hypot(before->a[0] * after->b[1] - before->b[0] * after->a[1],
                              before->a[1] * after->b[1] - before->b[1] * after->a[1]);
         double per_z = hypot(before->b[0] * after->a[0] - before->a[0] * after->b[0],
                              before->b[1] * after->a[0] - before->a[1] * after->b[0]);
         ratio = per_x * per_z / (doubled * doubled);
     }
-    return ratio < WAVEFRONT_RATIO_MAX ? (float)ratio : (float)WAVEFRONT_RATIO_MAX;
+    return ratio < params->most ? (float)ratio : (float)params->most;
 }
 
 static void draw_triangle(const struct task *task, const struct triangle_band *band, const int places[3][2])
@@ -168,7 +168,7 @@ static void draw_triangle(const struct task *task, const struct triangle_band *b
                                  {rest[2][0] - rest[0][0], rest[2][1] - rest[0][1]}};
     const struct edges after = {{corners[1].x - corners[0].x, corners[1].z - corners[0].z},
                                 {corners[2].x - corners[0].x, corners[2].z - corners[0].z}};
-    float ratio = ratio_of(&before, &after, task->params->area == WAVEFRONT_LENGTHS);
+    float ratio = ratio_of(&before, &after, task->params);
     for (int k = 0; k < 3; k++)
         for (int c = 0; c < 3; c++)
             corners[k].light[c] *= ratio;
@@ -180,10 +180,7 @@ static bool reaches(const struct task *task, const struct triangle_band *band, i
 {
     const float *upper = task->ranges + 2 * j, *lower = upper + 2;
     double least = floor((double)fminf(upper[0], lower[0])) - 1, most = ceil((double)fmaxf(upper[1], lower[1])) + 1;
-    double side = band->side, turns = band->periodic ? floor((least - band->first) / side) : 0;
-    least -= turns * side;
-    most -= turns * side;
-    return (least < band->end && most > band->first) || (band->periodic && most > band->first + side);
+    return triangle_band_reaches(band, least, most);
 }
 
 static void draw_band(const struct task *task, const struct triangle_band *band)

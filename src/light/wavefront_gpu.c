@@ -106,7 +106,7 @@ static void bind_mesh(struct dpl_gl *gl, const struct light_input *input, const 
     program_float(gl, program, "texels_a_meter", receiver->scale);
     program_float(gl, program, "cell", receiver->cell);
     program_float(gl, program, "side", drawing->side);
-    program_float(gl, program, "ratio_max", WAVEFRONT_RATIO_MAX);
+    program_float(gl, program, "most", params->most);
     program_int(gl, program, "lengths", params->area == WAVEFRONT_LENGTHS);
     program_int(gl, program, "weights", params->weights);
 }

@@ -68,7 +68,7 @@ static struct water_shape shape(const struct water_setup *setup)
 
 static bool prepare(void *state, const struct water_setup *setup, double time, const struct dpl_log *log)
 {
-    return ocean_waves_prepare(state, setup, time, log);
+    return ocean_waves_prepare(state, setup, time, log) && ocean_surface_prepare(state, shape(setup).side, log);
 }
 
 extern const struct water_model water_ocean;
@@ -104,6 +104,7 @@ static void finish(void *state_, struct dpl_gl *gl)
 {
     struct ocean_state *state = state_;
     ocean_waves_finish(state);
+    ocean_surface_finish(state);
     if (gl)
         ocean_gpu_finish(state, gl);
     *state = (struct ocean_state){0};

@@ -26,6 +26,12 @@ struct ocean {
 /* The numbers that the waves follow from, time apart. */
 enum { OCEAN_NUMBERS = 15 };
 
+/* Where a point lies in the spline of a cascade, along one axis. */
+struct ocean_place {
+    int cell;
+    double weights[4], slopes[4]; /* of the coefficients cell - 1 to cell + 2; slopes a cell */
+};
+
 /* What is kept between frames. A cascade has modes × modes waves, wave numbers in the order of a Fourier transform. */
 struct ocean_state {
     double numbers[OCEAN_NUMBERS]; /* that the waves were made from */
@@ -43,6 +49,9 @@ struct ocean_state {
     float *spectrum;        /* of the fields now; tiles × modes² × 4: two pairs, each a complex number */
     float (*grids)[2];      /* spline coefficients of the fields; pairs × side² × 2 */
     struct fft *fft;
+
+    struct ocean_place *columns;                /* of the surface's own vertices; vertices × cascades */
+    int vertices, column_cascades, column_side; /* that they are for */
 
     struct gpu_program fft_program, texel_program, shift_program;
     struct gpu_texture modes_texture, passes[2]; /* tiles one below the other */
@@ -68,7 +77,9 @@ void ocean_waves_finish(struct ocean_state *state);
 /* Cells of the c-th cascade's grid along the tile. */
 int ocean_cells(const struct ocean_state *state, int cascade);
 
-/* ocean_surface.c: the surface from the grids. */
+/* ocean_surface.c: the surface from the grids; `vertices`: a side, of the surfaces that are evaluated. */
+bool ocean_surface_prepare(struct ocean_state *state, int vertices, const struct dpl_log *log);
+void ocean_surface_finish(struct ocean_state *state);
 void ocean_surface_evaluate(const struct ocean_state *state, struct surface *surface);
 void ocean_surface_sample(const struct ocean_state *state, struct water_points *points);
 

@@ -6,40 +6,60 @@
  * the determinant itself, negative where the surface has folded. */
 #include "water/ocean.h"
 
+#include "base/log.h"
 #include "base/vector.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #define FOLD 0.1
 
-/* Where a point lies in the spline of a cascade, along one axis. */
-struct place {
-    int cell;
-    double weights[4], slopes[4]; /* of the coefficients cell - 1 to cell + 2; slopes a cell */
-};
-
 /* `u`: how far in the cell, 0 to 1. */
-static struct place place_in(int cell, double u)
+static struct ocean_place place_in(int cell, double u)
 {
     double v = 1 - u;
-    return (struct place){
+    return (struct ocean_place){
         cell,
         {v * v * v / 6, (4 - 3 * u * u * (1 + v)) / 6, (4 - 3 * v * v * (1 + u)) / 6, u * u * u / 6},
         {-v * v / 2, u * (3 * u - 4) / 2, v * (4 - 3 * v) / 2, u * u / 2},
     };
 }
 
-static struct place place_of(double place)
+static struct ocean_place place_of(double place)
 {
     double cell = floor(place);
     return place_in((int)cell, place - cell);
 }
 
 /* That of a vertex of a grid with `vertices` along the tile, in a spline with `cells`. */
-static struct place place_of_vertex(int vertex, int vertices, int cells)
+static struct ocean_place place_of_vertex(int vertex, int vertices, int cells)
 {
     int place = vertex * cells, rest = place % vertices;
     return place_in(place / vertices, (double)rest / vertices);
+}
+
+bool ocean_surface_prepare(struct ocean_state *state, int vertices, const struct dpl_log *log)
+{
+    int cascades = state->cascades;
+    if (state->columns && state->vertices == vertices && state->column_cascades == cascades &&
+        state->column_side == state->side)
+        return true;
+    ocean_surface_finish(state);
+    state->columns = base_allocate(log, (size_t)vertices * (size_t)cascades, sizeof *state->columns, "ocean");
+    if (!state->columns)
+        return false;
+    for (int i = 0; i < vertices * cascades; i++)
+        state->columns[i] = place_of_vertex(i / cascades, vertices, ocean_cells(state, i % cascades));
+    state->vertices = vertices;
+    state->column_cascades = cascades;
+    state->column_side = state->side;
+    return true;
+}
+
+void ocean_surface_finish(struct ocean_state *state)
+{
+    free(state->columns);
+    state->columns = NULL;
 }
 
 /* Fields and their derivatives. */
@@ -59,8 +79,8 @@ static const float *row_of(const struct ocean_state *state, int cascade, int fie
     return state->grids[(part / 2 * side + (size_t)(row & (state->side - 1))) * side] + part % 2;
 }
 
-static void add_field(const struct ocean_state *state, int cascade, int field, const struct place *x,
-                      const struct place *z, double scale, struct sum *sum)
+static void add_field(const struct ocean_state *state, int cascade, int field, const struct ocean_place *x,
+                      const struct ocean_place *z, double scale, struct sum *sum)
 {
     for (int j = 0; j < 4; j++) {
         const float *row = row_of(state, cascade, field, z->cell + j - 1);
@@ -103,7 +123,7 @@ void ocean_surface_sample(const struct ocean_state *state, struct water_points *
         v -= floor(v);
         for (int cascade = 0; cascade < state->cascades; cascade++) {
             int cells = ocean_cells(state, cascade);
-            struct place x = place_of(u * cells), z = place_of(v * cells);
+            struct ocean_place x = place_of(u * cells), z = place_of(v * cells);
             for (int field = 0; field < fields; field++)
                 add_field(state, cascade, field, &x, &z, cells / state->size, &sum);
         }
@@ -122,7 +142,7 @@ struct line {
     double value[OCEAN_SIDE_MAX + 3], along_z[OCEAN_SIDE_MAX + 3];
 };
 
-VECTOR_CLONES static void blend_rows(const float *const rows[4], const struct place *z, int side, double scale,
+VECTOR_CLONES static void blend_rows(const float *const rows[4], const struct ocean_place *z, int side, double scale,
                                      struct line *line)
 {
     const float *restrict r0 = rows[0], *restrict r1 = rows[1], *restrict r2 = rows[2], *restrict r3 = rows[3];
@@ -134,7 +154,8 @@ VECTOR_CLONES static void blend_rows(const float *const rows[4], const struct pl
     }
 }
 
-static void make_line(const struct ocean_state *state, int cascade, int field, const struct place *z, struct line *line)
+static void make_line(const struct ocean_state *state, int cascade, int field, const struct ocean_place *z,
+                      struct line *line)
 {
     const float *rows[4];
     int side = state->side;
@@ -148,7 +169,8 @@ static void make_line(const struct ocean_state *state, int cascade, int field, c
     }
 }
 
-static void add_line(const struct line *line, const struct place *x, int side, double scale, int field, struct sum *sum)
+static void add_line(const struct line *line, const struct ocean_place *x, int side, double scale, int field,
+                     struct sum *sum)
 {
     const double *value = line->value + (x->cell & (side - 1)), *along_z = line->along_z + (x->cell & (side - 1));
     double slope = 0;
@@ -167,7 +189,7 @@ static void evaluate_row(const struct ocean_state *state, struct surface *surfac
     float *texel = surface->texels + (size_t)row * (size_t)vertices * 3;
     float *shift = surface->shifts ? surface->shifts + (size_t)row * (size_t)vertices * 2 : NULL;
     for (int cascade = 0; cascade < state->cascades; cascade++) {
-        struct place z = place_of_vertex(row, vertices, ocean_cells(state, cascade));
+        struct ocean_place z = place_of_vertex(row, vertices, ocean_cells(state, cascade));
         for (int field = 0; field < fields; field++)
             make_line(state, cascade, field, &z, &lines[cascade][field]);
     }
@@ -175,9 +197,9 @@ static void evaluate_row(const struct ocean_state *state, struct surface *surfac
         struct sum sum = {0};
         for (int cascade = 0; cascade < state->cascades; cascade++) {
             int cells = ocean_cells(state, cascade);
-            struct place x = place_of_vertex(i, vertices, cells);
+            const struct ocean_place *x = state->columns + i * state->cascades + cascade;
             for (int field = 0; field < fields; field++)
-                add_line(&lines[cascade][field], &x, state->side, cells / state->size, field, &sum);
+                add_line(&lines[cascade][field], x, state->side, cells / state->size, field, &sum);
         }
         struct point point = point_from(&sum);
         texel[3 * i] = (float)point.height;
