@@ -35,9 +35,10 @@ static const char *const scenes[] = {
     "[water]\nmodel = heightfield\n[caustics]\nmesh = 24\n[heightfield]\nfile = " PICTURES "\nscale = 0.1\nrate = 2\n",
     "[scene]\nloop = 7\n[water]\nmodel = heightfield\n[caustics]\nmesh = 37\n"
     "[heightfield]\nfile = " PICTURES "\noffset = -0.05\nperiodic = no\nfirst = 1\n",
-    "[water]\nmodel = sum\n[caustics]\nmesh = 40\n[wave.1]\ncycles = 2 1\n[sum]\nsecond = sines\n",
-    "[water]\nmodel = sum\n[sum]\nsecond = collard\n[caustics]\nmesh = 40\n[wave.1]\ncycles = 2 1\n",
-    "[water]\nmodel = sum\n[sum]\nsecond = heightfield\n[heightfield]\nfile = " PICTURES "\nscale = 0.1\n[caustics]\n"
+    "[water]\nmodel = sum\n[caustics]\nmesh = 40\n[wave.1]\ncycles = 2 1\n[sum]\nfirst = sines\nsecond = sines\n",
+    "[water]\nmodel = sum\n[sum]\nfirst = sines\nsecond = collard\n[caustics]\nmesh = 40\n[wave.1]\ncycles = 2 1\n",
+    "[water]\nmodel = sum\n[sum]\nfirst = sines\nsecond = heightfield\n[heightfield]\nfile = " PICTURES
+    "\nscale = 0.1\n[caustics]\n"
     "mesh = 32\n[wave.1]\ncycles = 2 1\nsteepness = 0.5\n[wave.2]\ncycles = -4 5\nsteepness = 0.2\n",
     "[water]\nmodel = ripples\n[ripples]\nside = 24\n",
     "[scene]\nsize = 2\ndepth = 0.5\n[water]\nmodel = ripples\n[ripples]\nside = 33\nspeed = depth\nrain = 20\n"

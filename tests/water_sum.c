@@ -45,6 +45,7 @@ static const struct {
     {"fbm", "collard", "[collard]\ncells = 39\n", 40, false},
     {"collard", "sines", "[collard]\ncells = 70\nwave = preset-3\n", 71, false},
     {"sines", "fbm", "[wave.2]\ncycles = -1 4\nsteepness = 0.7\n", 40, false},
+    {"ocean", "ripples", "[ocean]\nchoppiness = 0.5\n[ripples]\nside = 64\n", 64, false},
     {"sines", "collard", "[collard]\ncells = 70\n[wave.2]\ncycles = -1 4\nsteepness = 0.7\n", 71, false},
 };
 
@@ -92,7 +93,8 @@ static void many_points_are_each_of_them(void **state)
     enum { COUNT = 700 };
     static double x[COUNT], z[COUNT], out[6][COUNT];
     struct water sum;
-    start(&sum, "sum", "[caustics]\nmesh = 9\n[wave.1]\ncycles = 2 1\nsteepness = 0.9\n[sum]\nsecond = fbm\n", 2);
+    start(&sum, "sum",
+          "[caustics]\nmesh = 9\n[wave.1]\ncycles = 2 1\nsteepness = 0.9\n[sum]\nfirst = sines\nsecond = fbm\n", 2);
     for (int i = 0; i < COUNT; i++) {
         x[i] = i * 0.003;
         z[i] = cos(i);

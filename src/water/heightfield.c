@@ -114,16 +114,13 @@ static const struct height_grid *grid_of(const struct water_setup *setup)
 
 static void evaluate(const struct water_setup *setup, double time, struct surface *surface)
 {
-    const struct height_grid *grid = grid_of(setup);
-    if (surface->columns == grid->side)
-        grid_fill(grid, surface);
-    else
-        water_fill(&water_heightfield, setup, time, surface);
+    (void)time; /* the state is of that time */
+    grid_fill(grid_of(setup), surface);
 }
 
 static void sample(const struct water_setup *setup, double time, struct water_points *points)
 {
-    (void)time; /* the state is of that time */
+    (void)time;
     grid_sample(grid_of(setup), points);
 }
 

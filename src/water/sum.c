@@ -23,8 +23,8 @@ static const char *part_name(int i)
 }
 
 static const struct dpl_param params[] = {
-    PARAM_CHOICE(struct sum, first, 0, part_name, "model of the larger waves"),
-    PARAM_CHOICE(struct sum, second, 1, part_name, "model of the waves on them; moves points up and down only"),
+    PARAM_CHOICE(struct sum, first, 1, part_name, "model of the larger waves"),
+    PARAM_CHOICE(struct sum, second, 2, part_name, "model of the waves on them; moves points up and down only"),
     PARAM_END,
 };
 
