@@ -9,8 +9,8 @@
  * those of a cascade, more and fewer. */
 static const char *const scenes[] = {
     "[ocean]\nresolution = 32\ncascades = 1\n",
-    "[scene]\nsize = 12\nloop = 5\n[caustics]\nmesh = 100\n[ocean]\nresolution = 64\ncascades = 4\nspectrum = "
-    "phillips\n",
+    ("[scene]\nsize = 12\nloop = 5\n[caustics]\nmesh = 100\n[ocean]\nresolution = 64\ncascades = 4\nspectrum = "
+     "phillips\n"),
     "[caustics]\nmesh = 300\n[ocean]\nresolution = 128\ncascades = 3\nchoppiness = 1\n",
 };
 

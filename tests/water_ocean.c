@@ -2,6 +2,7 @@
 #include "support.h"
 
 #include "scene/scene.h"
+#include "water/ocean.h"
 
 #include <complex.h>
 #include <math.h>
@@ -122,16 +123,20 @@ static void heights_have_the_energy_of_their_spectrum(void **state)
     }
 }
 
-/* The wave of so many cycles in the surface's heights (0) or slopes (1, 2): its complex amplitude. */
-static double complex wave_in(const struct sea *sea, int part, int x, int z)
+/* The wave of so many cycles in one of the numbers that each vertex has: its complex amplitude. */
+static double complex wave_of(const float *numbers, int step, int side, int x, int z)
 {
     double complex sum = 0;
-    int side = sea->surface.columns;
     for (int j = 0; j < side; j++)
         for (int i = 0; i < side; i++)
-            sum +=
-                (double)sea->surface.texels[3 * (j * side + i) + part] * cexp(-2 * I * M_PI * (x * i + z * j) / side);
-    return sum / vertex_count(sea);
+            sum += (double)numbers[step * (j * side + i)] * cexp(-2 * I * M_PI * (x * i + z * j) / side);
+    return sum / (side * side);
+}
+
+/* In heights (0) or slopes (1, 2). */
+static double complex wave_in(const struct sea *sea, int part, int x, int z)
+{
+    return wave_of(sea->surface.texels + part, 3, sea->surface.columns, x, z);
 }
 
 static void check_course(struct sea *sea, int direction, int x, int z)
@@ -165,6 +170,29 @@ static void waves_run_with_the_wind_as_fast_as_gravity_has_them(void **state)
         evaluate(&sea, 0);
         check_course(&sea, direction, x, (int)lround(8 * sin(direction * M_PI / 180)));
         finish(&sea);
+    }
+}
+
+/* The share of a direction at the peak's frequency, below and above it: sech² of the angle times these numbers (Donelan
+ * et al. 1985; the last one Banner 1990). */
+static void directions_spread_as_measured(void **state)
+{
+    static const double ratios[] = {0.8, 1, 2}, betas[] = {1.953, 2.28, 0.9604};
+    struct ocean ocean = {.spectrum = OCEAN_JONSWAP,
+                          .wind_speed = wind,
+                          .wind_direction = 50,
+                          .fetch = fetch,
+                          .peak_enhancement = 3.3,
+                          .spreading = 1};
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        double frequency = ratios[i] * 22 * cbrt(GRAVITY * GRAVITY / (wind * fetch));
+        double k = frequency * frequency / GRAVITY, turn = 50 * M_PI / 180;
+        double along = ocean_density(&ocean, 1000, k * cos(turn), k * sin(turn));
+        for (double angle = -3; angle <= 3; angle += 0.5) {
+            double density = ocean_density(&ocean, 1000, k * cos(turn + angle), k * sin(turn + angle));
+            assert_true(fabs(density / along * pow(cosh(betas[i] * angle), 2) - 1) < 5e-3);
+        }
     }
 }
 
@@ -205,7 +233,7 @@ static void every_number_changes_the_sea_and_back(void **state)
         {"scene.loop", "3", "0"},       {"ocean.spectrum", "jonswap", "tma"},
         {"ocean.wind_speed", "6", "5"}, {"ocean.wind_direction", "5", "0"},
         {"ocean.fetch", "300", "200"},  {"ocean.peak_enhancement", "1", "3.3"},
-        {"ocean.spreading", "2", "1"},  {"ocean.smoothing", "0", "0.02"},
+        {"ocean.spreading", "2", "1"},  {"ocean.smoothing", "0", "0.05"},
         {"ocean.amplitude", "2", "1"},  {"ocean.choppiness", "0.5", "0"},
         {"ocean.cascades", "1", "2"},   {"ocean.resolution", "64", "32"},
         {"scene.size", "5", "4"},
@@ -255,7 +283,7 @@ static void crests_draw_together(void **state)
     static double x[POINTS], z[POINTS], out[6][POINTS];
     struct water_points points = {POINTS, x, z, out[0], out[1], out[2], out[3], out[4], out[5]};
     struct sea sea;
-    double area = 0, together = 0, shift = 0, height = 0;
+    double area = 0, together = 0, change = 0, height = 0;
     (void)state;
     start(&sea, "[ocean]\nresolution = 64\ncascades = 2\nchoppiness = 1\n");
     evaluate(&sea, 2);
@@ -267,12 +295,30 @@ static void crests_draw_together(void **state)
     for (int i = 0; i < POINTS; i++) {
         area += points.area[i] / POINTS;
         together += points.height[i] * (points.area[i] - 1) / POINTS;
+        change += pow(points.area[i] - 1, 2) / POINTS;
         height += pow(points.height[i], 2) / POINTS;
-        shift += (pow(points.shift_x[i], 2) + pow(points.shift_z[i], 2)) / POINTS;
     }
     assert_true(fabs(area - 1) < 1e-4);
-    assert_true(together < -0.1 * sqrt(height));
-    assert_true(fabs(sqrt(shift / height) - 1) < 1e-3); /* circles, as in deep water */
+    assert_true(together < -0.5 * sqrt(height * change));
+    finish(&sea);
+}
+
+/* A wave's points go round in circles, as in deep water: a quarter of a turn ahead, along the wave. */
+static void points_of_a_wave_go_round(void **state)
+{
+    static const int waves[][2] = {{5, 3}, {4, -6}, {9, 0}, {0, 7}};
+    struct sea sea;
+    (void)state;
+    start(&sea, "[caustics]\nmesh = 64\n[ocean]\nresolution = 64\ncascades = 1\nchoppiness = 0.7\nspreading = 5\n");
+    evaluate(&sea, 2);
+    for (int w = 0; w < 4; w++) {
+        int x = waves[w][0], z = waves[w][1];
+        double complex height = wave_in(&sea, 0, x, z), ahead = 0.7 * I * height / hypot(x, z);
+        double complex shift_x = wave_of(sea.surface.shifts, 2, 64, x, z);
+        double complex shift_z = wave_of(sea.surface.shifts + 1, 2, 64, x, z);
+        assert_true(cabs(shift_x - x * ahead) < 1e-5 * cabs(height));
+        assert_true(cabs(shift_z - z * ahead) < 1e-5 * cabs(height));
+    }
     finish(&sea);
 }
 
@@ -280,11 +326,13 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(heights_have_the_energy_of_their_spectrum),
+        cmocka_unit_test(directions_spread_as_measured),
         cmocka_unit_test(waves_run_with_the_wind_as_fast_as_gravity_has_them),
         cmocka_unit_test(a_loop_ends_where_it_began),
         cmocka_unit_test(every_number_changes_the_sea_and_back),
         cmocka_unit_test(a_finer_grid_has_the_same_waves),
         cmocka_unit_test(crests_draw_together),
+        cmocka_unit_test(points_of_a_wave_go_round),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -42,7 +42,7 @@ static const struct dpl_param params[] = {
     PARAM_FLOAT(struct ocean, spreading, 1, 0.05, 20, "",
                 "width of the waves' directions to what was measured (Donelan et al. 1985); small = long crests "
                 "(jonswap, tma)"),
-    PARAM_FLOAT(struct ocean, smoothing, 0.02, 0, 100, "m",
+    PARAM_FLOAT(struct ocean, smoothing, 0.05, 0, 100, "m",
                 "takes away short waves: their energy falls by exp(-(k smoothing)²); 0 = leaves them"),
     PARAM_FLOAT(struct ocean, amplitude, 1, 0, 10, "", "heights to those of the spectrum"),
     PARAM_FLOAT(struct ocean, choppiness, 0, 0, 1, "",
