@@ -122,7 +122,8 @@ static void check_floor(struct fixture *fixture)
  * here. */
 static void check_window(struct fixture *fixture)
 {
-    const double edge = tan(asin(1 / IOR)) / tan(60 * M_PI / 180), pixel = 2.0 / PIXELS;
+    enum { WIDTH = 256 };
+    const double edge = tan(asin(1 / IOR)) / tan(60 * M_PI / 180), pixel = 2.0 / WIDTH;
     struct dpl_scene *scene = support_scene(flat_pool, &fixture->log.log);
     support_set(scene, "scene.depth", "0.2");
     support_set(scene, "look.pool.ambient", "0");
@@ -130,11 +131,11 @@ static void check_window(struct fixture *fixture)
     support_set(scene, "camera.field_of_view", "120");
     support_set(scene, "camera.position", "0 -0.19 0");
     support_set(scene, "camera.target", "0 0 0");
-    struct dpl_image *image = dpl_renderer_picture(fixture->renderer, scene, 0, PIXELS, PIXELS);
+    struct dpl_image *image = dpl_renderer_picture(fixture->renderer, scene, 0, WIDTH, WIDTH);
     assert_non_null(image);
-    for (int column = 0; column < PIXELS; column++) {
+    for (int column = 0; column < WIDTH; column++) {
         double from_middle = fabs((column + 0.5) * pixel - 1);
-        float seen = image->pixels[(PIXELS / 2 * PIXELS + column) * 3 + 1];
+        float seen = image->pixels[(WIDTH / 2 * WIDTH + column) * 3 + 1];
         if (from_middle < edge - pixel)
             assert_true(seen > 0.02f);
         if (from_middle > edge + pixel)
