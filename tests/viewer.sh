@@ -19,6 +19,8 @@ save_button='260 91'
 depth_from='120 233' depth_to='40 233' # the slider of scene.depth, and of [scene] the button "reset"
 scene_reset='316 187'
 compare_y=160 with_y=183       # the menus of what is compared; their entries stand below as those of the scenes do
+pool_water='560 270' pool_far=80x40+830+280 # a place of the water, and an area far from there
+pool_ball='700 295' pool_ball_to='640 280'
 left_part=250x500+380+100      # of the picture, left of its middle and right of it
 right_part=150x500+645+100
 
@@ -321,6 +323,33 @@ logged() {
     grep -q "$1" "$folder/log"
 }
 
+# The far side of the pool is not as it was in calm water.
+far_side_moves() {
+    screen far $pool_far
+    [ "$(differ far far-calm)" -gt 3 ]
+}
+
+# A hand in the water: the pool's waves, its ball, its sun.
+check_pool() {
+    rm -f "$folder"/dapple-*.ini
+    open pool --set caustics.map=128 --set ripples.drops=0 --set ripples.damping=1 --set render.samples=1
+    try 20 rests calm || fail "calm water moves"
+    screen far-calm $pool_far
+    changes orbited calm "dragging beside the pool does not move the camera" drag 440 650 460 650
+    changes calm orbited "dragging beside the pool does not move it back" drag 460 650 440 650
+    click $pool_water
+    try 60 far_side_moves || fail "a click on the water makes no wave that travels"
+    xdotool key space
+    try 60 rests waves || fail "space does not pause"
+    changes lit waves "L does not move the sun" xdotool key l
+    changes moved lit "the ball cannot be dragged" drag $pool_ball $pool_ball_to
+    xdotool key g
+    click $save_button
+    try 20 has_file dapple-0001.ini || fail "the button \"Save scene\" writes nothing"
+    grep -q '^gravity = true' "$folder/dapple-0001.ini" || fail "G does not switch the ball's gravity on"
+    close
+}
+
 check_no_display() {
     (unset DISPLAY WAYLAND_DISPLAY; "$dapple" view) >"$folder/log" 2>&1
     [ $? -eq 1 ] || fail "without a display the exit code is not 1"
@@ -343,4 +372,5 @@ check_window
 [ ! -e "$folder/imgui.ini" ] || fail "imgui.ini was written"
 close
 check_reload
+check_pool
 echo "passed"

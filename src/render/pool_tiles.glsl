@@ -9,11 +9,11 @@ uniform float contrast;
 uniform int tile_count;
 out vec4 color;
 
-/* The sum of noises, each half as wide and as strong as the one before; about -1 to 1. */
+/* The sum of four noises, each half as wide and as strong as the one before; about -1 to 1. */
 float cloudiness(int period, int layer)
 {
     float sum = 0.0, weight = 0.6;
-    for (int octave = 0; octave < 6; octave++) {
+    for (int octave = 0; octave < 4; octave++) {
         sum += weight * noise(target, period << octave, layer + octave);
         weight *= 0.6;
     }
