@@ -12,23 +12,12 @@ struct fixture {
     char folder[64], file[96]; /* a picture for the model that reads one */
 };
 
-/* Bumps, with a slope of their own at every place. */
-static void write_heights(const char *path)
-{
-    struct dpl_image *image = dpl_image_create(24, 24, NULL);
-    for (int i = 0; i < 24 * 24; i++)
-        for (int c = 0; c < 3; c++)
-            image->pixels[i * 3 + c] = (float)(0.25 * sin(2 * M_PI * (i % 24) / 24) * cos(4 * M_PI * (i / 24) / 24));
-    assert_true(dpl_image_save(image, path, NULL, NULL));
-    dpl_image_destroy(image);
-}
-
 static int setup(void **state)
 {
     struct fixture *fixture = calloc(1, sizeof *fixture);
     support_folder_make(fixture->folder);
     snprintf(fixture->file, sizeof fixture->file, "%s/heights.pfm", fixture->folder);
-    write_heights(fixture->file);
+    support_heights_write(fixture->file);
     *state = fixture;
     return 0;
 }

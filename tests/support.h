@@ -13,6 +13,7 @@
 #include "dapple/dapple.h"
 
 #include <dirent.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -94,6 +95,17 @@ static inline void support_set(struct dpl_scene *scene, const char *key, const c
     vsnprintf(value, sizeof value, format, arguments);
     va_end(arguments);
     assert_true(dpl_scene_set(scene, key, value));
+}
+
+/* A picture for the water model `heightfield`: bumps of 0.25, with a slope of their own at every place. */
+static inline void support_heights_write(const char *path)
+{
+    struct dpl_image *image = dpl_image_create(24, 24, NULL);
+    for (int i = 0; i < 24 * 24; i++)
+        for (int c = 0; c < 3; c++)
+            image->pixels[i * 3 + c] = (float)(0.25 * sin(2 * M_PI * (i % 24) / 24) * cos(4 * M_PI * (i / 24) / 24));
+    assert_true(dpl_image_save(image, path, NULL, NULL));
+    dpl_image_destroy(image);
 }
 
 /* A new, empty folder. */
