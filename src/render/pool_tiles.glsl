@@ -1,5 +1,5 @@
-/* Glazed tiles, each a little lighter or darker than the next, clouded like marble, with pale joints between them; and, in alpha,
- * thin clouds of the sky. Repeats without a seam. */
+/* Glazed tiles, each a little lighter or darker than the next, clouded like marble, with pale joints between them; and,
+ * in alpha, thin clouds of the sky. Repeats without a seam. */
 #include "gpu/screen.glsl"
 
 #ifdef FRAGMENT
