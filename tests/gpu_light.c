@@ -123,6 +123,62 @@ static void maps_of_any_side_are_those_of_the_cpu_in_es(void **state)
     check_sides(true);
 }
 
+/* The sun's picture and the map are kept in half precision. Heights evaluated on the GPU are off by 3e-5, which
+ * differences divide by the distance of the vertices. */
+static void check_straight_rays(bool es)
+{
+    static const char *const techniques[] = {"pixel-ray", "vertex-ray"}, *const normals[] = {"differences", "slopes"};
+    static const int sides[] = {1, 2, 101, 256}, meshes[] = {0, 2, 50, 300};
+    struct fixture fixture;
+    start(&fixture, es);
+    for (int k = 0; k < 16; k++) {
+        assert_true(dpl_scene_load(fixture.scene, k / 2 % 2 ? "collard-2" : "shallows")); /* bounded; periodic */
+        support_set(fixture.scene, "caustics.technique", "%s", techniques[k % 2]);
+        support_set(fixture.scene, "caustics.map", "%d", sides[k / 4]);
+        support_set(fixture.scene, "caustics.margin", "%g", k % 3 ? 0.2 : 0);
+        support_set(fixture.scene, "caustics.window", "light");
+        support_set(fixture.scene, "caustics.slices", "%d", k % 2 + 1);
+        support_set(fixture.scene, "pixel-ray.normals", "%s", normals[k / 4 % 2]);
+        support_set(fixture.scene, "vertex-ray.mesh", "%d", meshes[k / 4]);
+        expect_same_map(&fixture, 0.4);
+    }
+    finish(&fixture);
+}
+
+static void straight_rays_are_those_of_the_cpu(void **state)
+{
+    (void)state;
+    check_straight_rays(false);
+    check_straight_rays(true);
+}
+
+/* Waves so steep that light is kept inside: dark on both, but for the texels on the line between. */
+static void light_is_kept_inside_on_both(void **state)
+{
+    struct fixture fixture;
+    int dark = 0, apart = 0;
+    const int side = 200;
+    (void)state;
+    start(&fixture, false);
+    support_set(fixture.scene, "caustics.technique", "pixel-ray");
+    support_set(fixture.scene, "pixel-ray.sun_width", "90");
+    support_set(fixture.scene, "caustics.map", "%d", side);
+    support_set(fixture.scene, "wave.1.cycles", "2 1");
+    support_set(fixture.scene, "wave.1.amplitude", "0.5");
+    struct dpl_image *gpu = dpl_renderer_map(fixture.on_gpu, fixture.scene, 0);
+    struct dpl_image *cpu = dpl_renderer_map(fixture.on_cpu, fixture.scene, 0);
+    for (int t = 0; t < side * side; t++) {
+        dark += cpu->pixels[t * 3] == 0;
+        apart += fabs((double)cpu->pixels[t * 3] - (double)gpu->pixels[t * 3]) > 1.0 / 255;
+    }
+    assert_true(dark > side * side / 4);
+    assert_true(dark < side * side * 3 / 4);
+    assert_true(apart < side * side / 100);
+    dpl_image_destroy(gpu);
+    dpl_image_destroy(cpu);
+    finish(&fixture);
+}
+
 /* Every receiver has a layer of its own, blurred or not. */
 static void check_slices(bool es)
 {
@@ -265,6 +321,8 @@ int main(void)
         cmocka_unit_test(maps_are_those_of_the_cpu_in_es),
         cmocka_unit_test(maps_of_any_side_are_those_of_the_cpu),
         cmocka_unit_test(maps_of_any_side_are_those_of_the_cpu_in_es),
+        cmocka_unit_test(straight_rays_are_those_of_the_cpu),
+        cmocka_unit_test(light_is_kept_inside_on_both),
         cmocka_unit_test(slices_are_those_of_the_cpu),
         cmocka_unit_test(a_ceiling_needs_a_technique_that_reflects),
         cmocka_unit_test(sines_are_those_of_the_cpu),

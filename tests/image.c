@@ -121,7 +121,7 @@ static void png_is_read_as_it_was_written(void **state)
     for (int i = 0; i < 768; i++)
         image->pixels[i] = (float)(i % 256) / 255;
     save(fixture, image, "a.png", NULL);
-    struct dpl_image *again = io_png_read(fixture->path, &fixture->log.log);
+    struct dpl_image *again = io_read(fixture->path, &fixture->log.log);
     assert_non_null(again);
     assert_memory_equal(again->pixels, image->pixels, 768 * sizeof(float));
     dpl_image_destroy(again);

@@ -20,7 +20,8 @@ static int setup(void **state)
     support_log_start(&fixture->log);
     fixture->renderer = dpl_renderer_create(NULL, DPL_DEVICE_AUTO, &fixture->log.log);
     fixture->scene = support_scene("[wave.1]\ncycles = 3 2\namplitude = 0.05\n[caustics]\nmap = 97\nmesh = 64\n"
-                                   "[reference]\nphotons = 8\n",
+                                   "[reference]\nphotons = 8\n[photons]\ncount = 1\n[hemisphere]\ncandidates = 4\n"
+                                   "[precomputed]\nside = 32\nframes = 3\n[ripples]\nside = 64\n",
                                    &fixture->log.log);
     *state = fixture;
     return 0;

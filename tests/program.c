@@ -76,10 +76,11 @@ static void every_built_in_shader_is_found_and_has_its_dialect(void **state)
     struct fixture *fixture = *state;
     int shaders = 0;
     for (const struct base_resource *resource = base_resources; resource->path; resource++, shaders++) {
-        for (int kind = 0; kind < 12; kind++) {
+        for (int kind = 0; kind < 16; kind++) {
             static const char *const versions[] = {"#version 330 core\n", "#version 300 es\n", "#version 430 core\n",
                                                    "#version 310 es\n"};
-            static const char *const defines[] = {"#define VERTEX\n", "#define FRAGMENT\n", "#define COMPUTE\n"};
+            static const char *const defines[] = {"#define VERTEX\n", "#define FRAGMENT\n", "#define COMPUTE\n",
+                                                  "#define GEOMETRY\n"};
             char *text = program_source(resource->path, NULL, (enum program_dialect)(kind % 4),
                                         (enum program_stage)(kind / 4), "", &fixture->log.log);
             assert_non_null(text);

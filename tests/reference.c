@@ -146,8 +146,8 @@ static void nothing_is_ever_infinite(void **state)
     fixture->task.receiver_count = 6;
     fixture->setup.wave_count = 2;
     for (int i = 0; i < 16; i++) {
-        fixture->waves[0] = (struct wave){{3, 1}, i & 1 ? 100 : 0.1, 0, 0};
-        fixture->waves[1] = (struct wave){{256, -256}, i & 1 ? 1 : 0.01, 0, 0};
+        fixture->waves[0] = (struct wave){{3, 1}, i & 1 ? 100 : 0.1, 0, 0, 0};
+        fixture->waves[1] = (struct wave){{256, -256}, i & 1 ? 1 : 0.01, 0, 0, 0};
         fixture->sun = (struct optics_sun){i & 2 ? 1 : 90, 0, i & 4 ? 10 : 0};
         fixture->medium = (struct water_medium){0, 1 + (i & 8) / 4.0, i & 1 ? 0.5 : 0, {0, 1, 100}};
         trace(fixture, 2);

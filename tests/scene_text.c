@@ -141,7 +141,7 @@ static const struct refusal refusals[] = {
     {"\n\n[sun]\r\n elevation = abc ; note\n", DPL_REASON_VALUE, "pool.ini:4: sun.elevation", "\"abc\"", "1 to 90"},
     {"[sun]\nelevation =\n", DPL_REASON_VALUE, "pool.ini:2: sun.elevation", "\"\"", "1 to 90"},
     {"[sun]\nelevation = 5\n = 5\n", DPL_REASON_UNKNOWN_KEY, "pool.ini:3: ", "\"\"", "elevation"},
-    {"[water]\nmodel = sinus\n", DPL_REASON_CHOICE, "pool.ini:2: water.model", "\"sinus\"", "sines, collard"},
+    {"[water]\nmodel = sinus\n", DPL_REASON_CHOICE, "pool.ini:2: water.model", "\"sinus\"", "one of sines, "},
     {"elevation = 5\n[sun]\n", DPL_REASON_SYNTAX, "pool.ini:1: ", "", "[section]"},
     {"[sun]\nelevation 5\n", DPL_REASON_SYNTAX, "pool.ini:2: ", "", "key = value"},
     {"[sun]\nazimuth = 1\n5\nelevation = 5\n", DPL_REASON_SYNTAX, "pool.ini:3: ", "", "key = value"},

@@ -1,5 +1,5 @@
-/* shader_source FILE gl33|es30|gl43|es31 vertex|fragment|compute [FOLDER]: writes the text of one stage as the library
- * compiles it, from the shaders built in or those in FOLDER. For shaders.py. */
+/* shader_source FILE gl33|es30|gl43|es31 vertex|fragment|compute|geometry [FOLDER]: writes the text of one stage as the
+ * library compiles it, from the shaders built in or those in FOLDER. For shaders.py. */
 #include "gpu/program.h"
 
 #include <stdio.h>
@@ -14,8 +14,11 @@ static void print_message(void *user, enum dpl_log_level level, enum dpl_reason 
 
 static const char *const dialects[] = {
     [PROGRAM_GL33] = "gl33", [PROGRAM_ES30] = "es30", [PROGRAM_GL43] = "gl43", [PROGRAM_ES31] = "es31", NULL};
-static const char *const stages[] = {
-    [PROGRAM_VERTEX] = "vertex", [PROGRAM_FRAGMENT] = "fragment", [PROGRAM_COMPUTE] = "compute", NULL};
+static const char *const stages[] = {[PROGRAM_VERTEX] = "vertex",
+                                     [PROGRAM_FRAGMENT] = "fragment",
+                                     [PROGRAM_COMPUTE] = "compute",
+                                     [PROGRAM_GEOMETRY] = "geometry",
+                                     NULL};
 
 /* The place of a word in a list; the first where it is not there. */
 static int find(const char *const *words, const char *word)
@@ -29,7 +32,7 @@ static int find(const char *const *words, const char *word)
 int main(int count, char **arguments)
 {
     if (count < 4) {
-        fprintf(stderr, "usage: shader_source FILE gl33|es30|gl43|es31 vertex|fragment|compute [FOLDER]\n");
+        fprintf(stderr, "usage: shader_source FILE gl33|es30|gl43|es31 vertex|fragment|compute|geometry [FOLDER]\n");
         return 2;
     }
     const struct dpl_log log = {.write = print_message};

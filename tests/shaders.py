@@ -11,6 +11,7 @@ import tempfile
 from pathlib import Path
 
 DRAWING = {"vertex": "vert", "fragment": "frag"}
+WITH_GEOMETRY = {**DRAWING, "geometry": "geom"}
 COMPUTING = {"compute": "comp"}
 
 
@@ -21,7 +22,10 @@ def top_level(source: Path) -> list[str]:
 
 
 def kinds(text: str) -> list[tuple[str, dict[str, str]]]:
-    """Dialects and stages that a shader is for. What needs storage buffers is only for the newer dialects."""
+    """Dialects and stages that a shader is for. What needs storage buffers is only for the newer dialects, what has a
+    geometry stage only for OpenGL proper."""
+    if "#ifdef GEOMETRY" in text:
+        return [("gl33", WITH_GEOMETRY), ("gl43", WITH_GEOMETRY)]
     stages = COMPUTING if "local_size_x" in text else DRAWING
     older = [] if "std430" in text else ["gl33", "es30"]
     return [(dialect, stages) for dialect in [*older, "gl43", "es31"]]

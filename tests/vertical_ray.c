@@ -98,11 +98,9 @@ static void planes_darken_by_the_angle(void **state)
 {
     (void)state;
     expect_plane(&defaults, 0, 0, 1);
-    for (double slope = 0.01; slope < 1.2; slope *= 1.6) {
-        for (double azimuth = 0; azimuth < 360; azimuth += 150)
-            expect_plane(&defaults, slope * cos(azimuth * degree), slope * sin(azimuth * degree),
-                         seen(&defaults, slope));
-    }
+    double azimuth = 0;
+    for (double slope = 0.01; slope < 1; slope *= 1.8, azimuth += 75)
+        expect_plane(&defaults, slope * cos(azimuth * degree), slope * sin(azimuth * degree), seen(&defaults, slope));
     struct vertical_ray wide = {.sun_width = 10, .halo = 18, .falloff = 0.7}; /* all of the sky */
     for (double slope = 0.1; slope < 1.1; slope += 0.25)
         expect_plane(&wide, slope, 0, seen(&wide, slope));
@@ -232,7 +230,7 @@ static void expect_waves(bool mesh, const struct vertical_ray *p, const struct s
     if (!(most <= TOLERANCE))
         fail_msg("%s, mesh %d, normals %d, periodic %d, map %d: off by %.5f", mesh ? "vertex-ray" : "pixel-ray",
                  p->mesh, p->normals, surface->periodic, side, most);
-    assert_true(side < 40 || p->mesh == 2 || window->side < 4 || (least < 0.1 && brightest > 0.6));
+    assert_true(side < 40 || p->mesh == 2 || window->side != 4 || (least < 0.1 && brightest > 0.6));
     light_map_finish(&map);
 }
 

@@ -7,6 +7,8 @@
 
 #include <math.h>
 
+#define PICTURES "heights-%d.pfm" /* three of them, in the folder that the test runs in */
+
 /* Settings that every model is held against; each line is one scene. */
 static const char *const scenes[] = {
     "[water]\nmodel = sines\n[caustics]\nmesh = 24\n[wave.1]\ncycles = 3 1\namplitude = 0.02\n",
@@ -16,6 +18,9 @@ static const char *const scenes[] = {
     ("[scene]\nsize = 100\ndepth = 0\n[water]\nmodel = sines\n[caustics]\nmesh = 2\n"
      "[wave.64]\ncycles = 0 0\nphase = 30\n"),
     "[water]\nmodel = sines\n[caustics]\nmesh = 7\n",
+    "[water]\nmodel = sines\n[caustics]\nmesh = 40\n[wave.1]\ncycles = 3 1\nsteepness = 0.4\n"
+    "[wave.2]\ncycles = -2 5\namplitude = 0.02\nsteepness = 0.3\n[wave.3]\ncycles = 0 0\nsteepness = 1\n"
+    "[wave.4]\ncycles = 1 7\namplitude = 0.004\n",
     "[water]\nmodel = collard\n[collard]\nwave = preset-1\n",
     "[water]\nmodel = collard\n[collard]\nwave = preset-2\namplitude = 0.02\nfrequency = 7\n",
     "[water]\nmodel = collard\n[collard]\nwave = preset-3\namplitude = 0.033\nfrequency = 8\ncells = 80\n",
@@ -24,6 +29,17 @@ static const char *const scenes[] = {
     "[water]\nmodel = collard\n[collard]\nwave = ripple\namplitude = 0.1\ncells = 31\n",
     "[water]\nmodel = fbm\n[caustics]\nmesh = 40\n",
     "[scene]\nsize = 9\nloop = 2\n[water]\nmodel = fbm\n[fbm]\nterms = 9\nscale = 0.1\n[caustics]\nmesh = 31\n",
+    "[water]\nmodel = ocean\n[ocean]\nresolution = 64\ncascades = 1\n",
+    "[scene]\nsize = 12\ndepth = 4\nloop = 10\n[water]\nmodel = ocean\n[caustics]\nmesh = 45\n"
+    "[ocean]\nspectrum = phillips\nresolution = 32\ncascades = 3\nwind_speed = 3\n",
+    "[water]\nmodel = heightfield\n[caustics]\nmesh = 24\n[heightfield]\nfile = " PICTURES "\nscale = 0.1\nrate = 2\n",
+    "[scene]\nloop = 7\n[water]\nmodel = heightfield\n[caustics]\nmesh = 37\n"
+    "[heightfield]\nfile = " PICTURES "\noffset = -0.05\nperiodic = no\nfirst = 1\n",
+    "[water]\nmodel = sum\n[caustics]\nmesh = 40\n[wave.1]\ncycles = 2 1\n[sum]\nfirst = sines\nsecond = sines\n",
+    "[water]\nmodel = sum\n[sum]\nfirst = sines\nsecond = collard\n[caustics]\nmesh = 40\n[wave.1]\ncycles = 2 1\n",
+    "[water]\nmodel = sum\n[sum]\nfirst = sines\nsecond = heightfield\n[heightfield]\nfile = " PICTURES
+    "\nscale = 0.1\n[caustics]\n"
+    "mesh = 32\n[wave.1]\ncycles = 2 1\nsteepness = 0.5\n[wave.2]\ncycles = -4 5\nsteepness = 0.2\n",
     "[water]\nmodel = ripples\n[ripples]\nside = 24\n",
     "[scene]\nsize = 2\ndepth = 0.5\n[water]\nmodel = ripples\n[ripples]\nside = 33\nspeed = depth\nrain = 20\n"
     "[sphere]\nradius = 0.25\nposition = -0.4 0.3 0.2\ngravity = on\n",
@@ -80,19 +96,38 @@ static const float *vertex(const struct surface *surface, int i, int j)
     return surface->texels + ((size_t)j * (size_t)surface->columns + (size_t)i) * 3;
 }
 
-static void sample(const struct water *water, double x, double z, double out[3])
+static struct water_point sample(const struct water *water, double x, double z)
 {
-    sample_water(water->model, &water->setup, water->time, x, z, out);
+    return sample_point(water->model, &water->setup, water->time, x, z);
 }
 
-/* The largest height and slope: what tolerances are counted in. */
-static void largest(const struct water *water, double of[2])
+/* The largest height, slope and shift: what tolerances are counted in. */
+static void largest(const struct water *water, double of[3])
 {
-    of[0] = of[1] = 0;
+    of[0] = of[1] = of[2] = 0;
     for (int i = 0; i < water->surface.columns * water->surface.rows; i++) {
         const float *texel = water->surface.texels + (size_t)i * 3;
         of[0] = fmax(of[0], fabs((double)texel[0]));
         of[1] = fmax(of[1], hypot((double)texel[1], (double)texel[2]));
+        for (int c = 0; c < 2 && water->surface.shifts; c++)
+            of[2] = fmax(of[2], fabs((double)water->surface.shifts[i * 2 + c]));
+    }
+}
+
+static void check_vertex(const struct water *water, int i, int j, const double scale[3])
+{
+    const struct surface *surface = &water->surface;
+    const float *texel = vertex(surface, i, j);
+    double spacing = surface_spacing(surface), half = water->setup.size / 2;
+    struct water_point exact = sample(water, i * spacing - half, j * spacing - half);
+    assert_true(isfinite(texel[0]) && isfinite(texel[1]) && isfinite(texel[2]));
+    /* single precision, a rounding for each of a few waves */
+    assert_true(fabs((double)texel[0] - exact.height) <= 5e-7 * scale[0] + 1e-30);
+    for (int c = 0; c < 2 && surface->periodic; c++)
+        assert_true(fabs((double)texel[1 + c] - exact.slope[c]) <= 5e-7 * scale[1] + 1e-30);
+    for (int c = 0; c < 2; c++) {
+        double shift = surface->shifts ? (double)surface->shifts[(j * surface->columns + i) * 2 + c] : 0;
+        assert_true(fabs(shift - exact.shift[c]) <= 5e-7 * scale[2]);
     }
 }
 
@@ -104,21 +139,13 @@ static void check_vertices(struct water *water)
     assert_int_equal(surface->columns, vertices);
     assert_int_equal(surface->rows, vertices);
     assert_int_equal(surface->periodic, shape.periodic);
-    double spacing = water->setup.size / (surface->periodic ? vertices : vertices - 1), scale[2];
+    assert_int_equal(surface->shifts != NULL, shape.choppy);
+    double spacing = water->setup.size / (surface->periodic ? vertices : vertices - 1), scale[3];
     assert_true(fabs(surface_spacing(surface) - spacing) < 1e-12 * spacing);
     largest(water, scale);
-    for (int j = 0; j < vertices; j += 1 + vertices / 9) {
-        for (int i = 0; i < vertices; i++) {
-            const float *texel = vertex(surface, i, j);
-            double exact[3];
-            sample(water, i * spacing - water->setup.size / 2, j * spacing - water->setup.size / 2, exact);
-            assert_true(isfinite(texel[0]) && isfinite(texel[1]) && isfinite(texel[2]));
-            /* single precision, a rounding for each of a few waves */
-            assert_true(fabs((double)texel[0] - exact[0]) <= 5e-7 * scale[0] + 1e-30);
-            for (int c = 1; c < 3 && surface->periodic; c++)
-                assert_true(fabs((double)texel[c] - exact[c]) <= 5e-7 * scale[1] + 1e-30);
-        }
-    }
+    for (int j = 0; j < vertices; j += 1 + vertices / 9)
+        for (int i = 0; i < vertices; i++)
+            check_vertex(water, i, j, scale);
 }
 
 static void vertices_hold_what_the_model_has_there(void **state)
@@ -127,23 +154,32 @@ static void vertices_hold_what_the_model_has_there(void **state)
     every_water(check_vertices);
 }
 
+/* One axis of the plane at rest: a step along it moves a point by `along`, and up by the slopes where it is now. */
+static double check_step(const struct water *water, double x, double z, int axis, double steepest, double along[2])
+{
+    double step = 1e-5 * surface_spacing(&water->surface);
+    double step_x = axis == 0 ? step : 0, step_z = axis == 1 ? step : 0;
+    struct water_point here = sample(water, x, z), before = sample(water, x - step_x, z - step_z);
+    struct water_point after = sample(water, x + step_x, z + step_z);
+    for (int c = 0; c < 2; c++)
+        along[c] = (c == axis) + (after.shift[c] - before.shift[c]) / (2 * step);
+    double rise = (after.height - before.height) / (2 * step);
+    assert_true(fabs(rise - here.slope[0] * along[0] - here.slope[1] * along[1]) <= 1e-6 * steepest + 1e-9);
+    return here.area;
+}
+
 /* At points inside triangles, so that a surface of triangles has a slope there as well. */
 static void check_slopes(struct water *water)
 {
-    double spacing = surface_spacing(&water->surface), step = 1e-5 * spacing, scale[2];
+    double spacing = surface_spacing(&water->surface), scale[3];
     largest(water, scale);
     for (int i = 0; i < 300; i++) {
-        double part = i % 2 ? 1.0 / 3 : 2.0 / 3;
+        double part = i % 2 ? 1.0 / 3 : 2.0 / 3, along[2][2];
         double x = ((i * 7) % (water->surface.columns - 1) + part) * spacing - water->setup.size / 2;
         double z = ((i * 5) % (water->surface.rows - 1) + part) * spacing - water->setup.size / 2;
-        double here[3], before[3], after[3];
-        sample(water, x, z, here);
-        sample(water, x - step, z, before);
-        sample(water, x + step, z, after);
-        assert_true(fabs((after[0] - before[0]) / (2 * step) - here[1]) <= 1e-6 * scale[1] + 1e-9);
-        sample(water, x, z - step, before);
-        sample(water, x, z + step, after);
-        assert_true(fabs((after[0] - before[0]) / (2 * step) - here[2]) <= 1e-6 * scale[1] + 1e-9);
+        double area = check_step(water, x, z, 0, scale[1], along[0]);
+        check_step(water, x, z, 1, scale[1], along[1]);
+        assert_true(fabs(area - (along[0][0] * along[1][1] - along[0][1] * along[1][0])) <= 1e-6);
     }
 }
 
@@ -155,19 +191,25 @@ static void slopes_are_those_of_the_heights(void **state)
 
 static void check_repeats(struct water *water)
 {
-    double size = water->setup.size, scale[2];
+    double size = water->setup.size, scale[3];
     largest(water, scale);
     for (int i = 0; i < 50 && water->surface.periodic; i++) {
-        double x = i * 0.31 * size - 7 * size, z = i * 0.17 * size, here[3], there[3];
-        sample(water, x, z, here);
-        sample(water, x + (i % 3 + 1) * size, z - i % 4 * size, there);
-        for (int c = 0; c < 3; c++)
-            assert_true(fabs(here[c] - there[c]) <= 1e-9 * scale[c > 0] + 1e-30);
+        double x = i * 0.31 * size - 7 * size, z = i * 0.17 * size;
+        struct water_point here = sample(water, x, z);
+        struct water_point there = sample(water, x + (i % 3 + 1) * size, z - i % 4 * size);
+        assert_true(fabs(here.height - there.height) <= 1e-9 * scale[0] + 1e-30);
+        for (int c = 0; c < 2; c++) {
+            assert_true(fabs(here.slope[c] - there.slope[c]) <= 1e-9 * scale[1] + 1e-30);
+            assert_true(fabs(here.shift[c] - there.shift[c]) <= 1e-9 * scale[2]);
+        }
     }
     struct surface again = {0};
     assert_true(water_evaluate(water->model, &water->setup, water->time, &again, NULL));
     assert_memory_equal(again.texels, water->surface.texels,
                         (size_t)again.columns * (size_t)again.rows * 3 * sizeof(float));
+    if (again.shifts)
+        assert_memory_equal(again.shifts, water->surface.shifts,
+                            (size_t)again.columns * (size_t)again.rows * 2 * sizeof(float));
     surface_finish(&again);
 }
 
@@ -234,6 +276,31 @@ static void normals_between_vertices_are_blended_over_triangles(void **state)
     every_water(check_normal_map);
 }
 
+/* Bumps that join at the edges, and move. */
+static int write_pictures(void **state)
+{
+    static char folder[64];
+    *state = folder;
+    support_folder_make(folder);
+    assert_int_equal(chdir(folder), 0);
+    for (int frame = 0; frame < 3; frame++) {
+        char name[32];
+        struct dpl_image *image = dpl_image_create(24, 24, NULL);
+        for (int i = 0; i < 24 * 24; i++)
+            image->pixels[i * 3] =
+                (float)(0.5 + 0.3 * sin(2 * M_PI * (i % 24) / 24 - frame) * cos(M_PI * (i / 24) / 6));
+        snprintf(name, sizeof name, "heights-%d.pfm", frame);
+        assert_true(dpl_image_save(image, name, NULL, NULL));
+        dpl_image_destroy(image);
+    }
+    return 0;
+}
+
+static int remove_pictures(void **state)
+{
+    return support_folder_count(*state, true) == 3 ? 0 : -1;
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -242,5 +309,5 @@ int main(void)
         cmocka_unit_test(water_repeats_beyond_the_tile_and_from_run_to_run),
         cmocka_unit_test(normals_between_vertices_are_blended_over_triangles),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, write_pictures, remove_pictures);
 }

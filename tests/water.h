@@ -13,4 +13,18 @@ static inline void sample_water(const struct water_model *model, const struct wa
     water_sample(model, setup, time, &point);
 }
 
+/* A point of any model. */
+struct water_point {
+    double height, slope[2], shift[2], area;
+};
+
+static inline struct water_point sample_point(const struct water_model *model, const struct water_setup *setup,
+                                              double time, double x, double z)
+{
+    struct water_point p;
+    struct water_points points = {1, &x, &z, &p.height, p.slope, p.slope + 1, p.shift, p.shift + 1, &p.area};
+    water_sample(model, setup, time, &points);
+    return p;
+}
+
 #endif

@@ -264,14 +264,14 @@ static void assert_same(const struct pool *a, const struct pool *b)
 #define POOL "[scene]\nsize = 2\n[water]\nmodel = ripples\n[ripples]\nside = 32\n"
 #define LIVELY POOL "damping = 0.9\nrain = 25\n[sphere]\nradius = 0.25\nposition = -0.4 -0.75 0.2\ngravity = on\n"
 
-/* With that damping a wave lives 263 steps, so that its water changes three times in 10 s. */
+/* With that damping a wave lives 263 steps, so that its water changes twice in 6 s. */
 static void a_time_is_the_same_at_any_frame_rate(void **state)
 {
     (void)state;
     struct pool films[3], still;
     for (int i = 0; i < 3; i++)
         start(films + i, LIVELY);
-    for (int second = 1; second <= 10; second++) {
+    for (int second = 1; second <= 6; second++) {
         static const int rates[] = {24, 60, 7};
         for (int i = 0; i < 3; i++)
             for (int frame = 1; frame <= rates[i]; frame++)
@@ -368,13 +368,13 @@ static void the_ball_swims(void **state)
         double center[3], lowest = 1;
         start(&pool, POOL "drops = 0\n[scene]\ndepth = 0.9\n[sphere]\nradius = 0.25\ngravity = on\n");
         support_set(pool.scene, "sphere.position", "-0.4 %g 0.2", heights[i]);
-        for (int frame = 0; frame <= 60 * 90; frame++) {
+        for (int frame = 0; frame <= 60 * 60; frame++) {
             ready(&pool, frame / 60.0);
             water_sphere_center(model_of(&pool), &pool.setup, center);
             lowest = fmin(lowest, center[1]);
         }
         assert_true(center[0] == -0.4 && center[2] == 0.2);
-        assert_true(fabs(center[1] - 0.25 * (1 - 2 / 1.1)) < 0.02);
+        assert_true(fabs(center[1] - 0.25 * (1 - 2 / 1.1)) < 0.03);
         assert_true(lowest >= 0.25 - 0.9);
         finish(&pool);
     }
@@ -406,9 +406,14 @@ static void water_can_be_disturbed(void **state)
     go(&pool, 1);
     sample_water(model_of(&pool), &pool.setup, 1, 0, 0, out);
     assert_true(fabs(out[0]) < 1e-6);
-    go(&pool, 1.2);
+    go(&pool, 1.2); /* the drop has gone */
     sample_water(model_of(&pool), &pool.setup, 1.2, 0.5, -0.25, out);
     assert_true(fabs(out[0]) < 0.02);
+    pool.setup.drops = &drop;
+    pool.setup.drop_count = 1;
+    assert_true(water_prepare(model_of(&pool), &pool.setup, 0.7, NULL)); /* again from 0: it falls at 0.7 s */
+    sample_water(model_of(&pool), &pool.setup, 0.7, 0.5, -0.25, out);
+    assert_true(fabs(out[0] - 0.03) < 0.002);
     finish(&pool);
 }
 

@@ -51,7 +51,7 @@ static void evaluate(struct fixture *fixture, double time)
 static void heights_are_those_of_the_formula(void **state)
 {
     struct fixture *fixture = *state;
-    const struct wave waves[] = {{{3, 1}, 0.01, 40, 1.7}, {{-2, 5}, 0.03, -90, 0.6}, {{0, 1}, 0.2, 180, 13}};
+    const struct wave waves[] = {{{3, 1}, 0.01, 40, 1.7, 0}, {{-2, 5}, 0.03, -90, 0.6, 0}, {{0, 1}, 0.2, 180, 13, 0}};
     memcpy(fixture->waves, waves, sizeof waves);
     fixture->setup.wave_count = 3;
     for (double time = 0; time < 20; time += 3.7) {
@@ -80,7 +80,8 @@ static double fill_waves(struct fixture *fixture, int count)
         fixture->waves[w] = (struct wave){{w ? across : 0, w ? along : 0},
                                           support_random_unit(&random) * 0.1,
                                           support_random_unit(&random) * 720 - 360,
-                                          0.1 + support_random_unit(&random) * 9};
+                                          0.1 + support_random_unit(&random) * 9,
+                                          0};
         sum += fixture->waves[w].amplitude;
     }
     fixture->setup.wave_count = count;
@@ -168,7 +169,7 @@ static void sine_cosine_is_that_of_the_library(void **state)
 static void crests_run_the_way_of_the_cycles(void **state)
 {
     struct fixture *fixture = *state;
-    fixture->waves[0] = (struct wave){{1, 0}, 0.1, 0, 2};
+    fixture->waves[0] = (struct wave){{1, 0}, 0.1, 0, 2, 0};
     fixture->setup.wave_count = 1;
     assert_true(fabs(height(fixture, 0, 0, 1.23) - 0.1) < 1e-12);
     assert_true(fabs(height(fixture, 0.5, 1, 1.23) - 0.1) < 1e-12);
@@ -182,7 +183,7 @@ static void no_waves_and_no_amplitude_are_flat(void **state)
 {
     struct fixture *fixture = *state;
     for (int count = 0; count < 2; count++) {
-        fixture->waves[0] = (struct wave){{3, 2}, 0, 50, 0};
+        fixture->waves[0] = (struct wave){{3, 2}, 0, 50, 0, 0};
         fixture->setup.wave_count = count;
         evaluate(fixture, 1.5);
         for (int i = 0; i < 20 * 20 * 3; i++)
@@ -204,7 +205,7 @@ static void periods_follow_the_dispersion_relation(void **state)
     struct fixture *fixture = *state;
     fixture->setup.wave_count = 1;
     for (int cycles = 1; cycles <= 64; cycles *= 2) {
-        fixture->waves[0] = (struct wave){{3 * cycles, 4 * cycles}, 0.1, 0, 0};
+        fixture->waves[0] = (struct wave){{3 * cycles, 4 * cycles}, 0.1, 0, 0, 0};
         double length = 4.0 / (5 * cycles), k = 2 * M_PI / length;
         fixture->setup.depth = 1000; /* deep: length = g period² / 2π */
         expect_period(fixture, sqrt(2 * M_PI * length / GRAVITY), 1e-9);
@@ -218,7 +219,7 @@ static void periods_follow_the_dispersion_relation(void **state)
 static void a_period_of_its_own_goes_first(void **state)
 {
     struct fixture *fixture = *state;
-    fixture->waves[0] = (struct wave){{3, 4}, 0.1, 0, 7.25};
+    fixture->waves[0] = (struct wave){{3, 4}, 0.1, 0, 7.25, 0};
     fixture->setup.wave_count = 1;
     expect_period(fixture, 7.25, 1e-9);
 }
@@ -226,7 +227,7 @@ static void a_period_of_its_own_goes_first(void **state)
 static void waves_without_a_length_stand_still(void **state)
 {
     struct fixture *fixture = *state;
-    fixture->waves[0] = (struct wave){{0, 0}, 0.1, 60, 0};
+    fixture->waves[0] = (struct wave){{0, 0}, 0.1, 60, 0, 0};
     fixture->setup.wave_count = 1;
     assert_true(fabs(height(fixture, 0, 1, 1) - 0.05) < 1e-12);
     assert_true(fabs(height(fixture, 9, -1, 0) - 0.05) < 1e-12);
@@ -248,7 +249,7 @@ static void a_loop_bends_periods_to_whole_parts(void **state)
     fixture->setup.wave_count = 1;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         fixture->setup.loop = cases[i][0];
-        fixture->waves[0] = (struct wave){{3, 4}, 0.1, 0, cases[i][1]};
+        fixture->waves[0] = (struct wave){{3, 4}, 0.1, 0, cases[i][1], 0};
         expect_period(fixture, cases[i][2], 1e-9);
     }
 }
@@ -262,7 +263,8 @@ static void a_loop_has_no_seam(void **state)
             (struct wave){{(int)(support_random(&random) % 41) - 20, (int)(support_random(&random) % 41)},
                           support_random_unit(&random) * 0.01,
                           support_random_unit(&random) * 360,
-                          w % 2 ? support_random_unit(&random) * 9 : 0};
+                          w % 2 ? support_random_unit(&random) * 9 : 0,
+                          0};
     fixture->setup.wave_count = WATER_WAVES_MAX;
     fixture->setup.loop = 6.7;
     struct surface first = {0};

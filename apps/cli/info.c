@@ -45,6 +45,7 @@ static void report_gl_json(const struct report *report, struct json *json)
     json_bool(json, "timer_queries", info->timer_queries);
     json_bool(json, "polygon_mode", info->polygon_mode);
     json_bool(json, "compute", info->compute);
+    json_bool(json, "geometry", info->geometry);
     json_bool(json, "float_blend", info->float_blend);
     json_number(json, "texture_max", info->texture_max);
     json_number(json, "samples_max", info->samples_max);
@@ -94,6 +95,7 @@ static void report_gl_text(const struct report *report)
     printf("timer queries  %s\n", yes(info->timer_queries));
     printf("wireframe      %s\n", yes(info->polygon_mode));
     printf("compute        %s\n", yes(info->compute));
+    printf("geometry       %s\n", yes(info->geometry));
     printf("float blending %s\n", yes(info->float_blend));
     puts("\nwhat falls back to what:");
     for (int i = 0; dpl_gl_fallback(report->gl, i); i++)

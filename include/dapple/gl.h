@@ -58,6 +58,7 @@ struct dpl_gl_info {
     bool timer_queries; /* can time passes on the device */
     bool polygon_mode;  /* can draw wireframe */
     bool compute;       /* has compute shaders, and storage buffers that fragment shaders can read */
+    bool geometry;      /* has geometry shaders */
     bool float_blend;   /* can add up 32-bit floats by blending */
     int texture_max;    /* largest side of a texture, texels */
     int samples_max;    /* most samples a pixel */

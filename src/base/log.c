@@ -26,6 +26,14 @@ bool base_fail(const struct dpl_log *log, enum dpl_reason reason, const char *fo
     return false;
 }
 
+void base_inform(const struct dpl_log *log, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    write_line(log, DPL_LOG_INFO, DPL_REASON_NONE, format, arguments);
+    va_end(arguments);
+}
+
 void *base_allocate(const struct dpl_log *log, size_t count, size_t size, const char *what)
 {
     void *memory = calloc(count, size);

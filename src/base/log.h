@@ -10,6 +10,9 @@
 /* Reports an error and returns false, so that a doer can `return base_fail(…)`. */
 bool base_fail(const struct dpl_log *log, enum dpl_reason reason, const char *format, ...) DPL_PRINTF(3, 4);
 
+/* Tells what is worth knowing and no error. */
+void base_inform(const struct dpl_log *log, const char *format, ...) DPL_PRINTF(2, 3);
+
 /* calloc() that reports; `what` names what the memory was for. */
 void *base_allocate(const struct dpl_log *log, size_t count, size_t size, const char *what);
 

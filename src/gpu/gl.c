@@ -103,6 +103,7 @@ static void detect_abilities(struct dpl_gl *gl, const struct dpl_gl_options *opt
     if (!gl->info.es)
         gl->PolygonMode = (PFNGLPOLYGONMODEPROC)options->get_proc_address(options->user, "glPolygonMode");
     gl->info.polygon_mode = gl->PolygonMode != NULL;
+    gl->info.geometry = !gl->info.es;
     gl->info.float_blend = gl->info.float_render && (!gl->info.es || has_extension(gl, "GL_EXT_float_blend"));
     detect_compute(gl, options);
     add_fallback(gl, !gl->info.float_render,
@@ -113,6 +114,8 @@ static void detect_abilities(struct dpl_gl *gl, const struct dpl_gl_options *opt
     add_fallback(gl, !gl->info.compute, "no compute shaders: light is added up by blending");
     add_fallback(gl, !gl->info.compute && !gl->info.float_blend,
                  "no blending of 32-bit floats: light is added up in 16 bits, which shows in the brightest lines");
+    add_fallback(gl, !gl->info.geometry,
+                 "no geometry shaders: wavefront.variant = geometry is drawn as neighbours, with the same result");
     add_fallback(gl, gl->info.software,
                  "OpenGL runs on the CPU: techniques with a CPU path of their own use that "
                  "unless --device gl is given");

@@ -9,6 +9,7 @@
 
 #define SHADER_SIZE_MAX (1 << 20) /* bytes of one file */
 #define INCLUDES_MAX 16
+#define STAGES_MAX 3 /* of a program */
 
 #define ES_PRECISIONS                                                                                                  \
     "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp sampler2DArray;\n"
@@ -27,6 +28,7 @@ static const struct {
     [PROGRAM_VERTEX] = {"VERTEX", GL_VERTEX_SHADER},
     [PROGRAM_FRAGMENT] = {"FRAGMENT", GL_FRAGMENT_SHADER},
     [PROGRAM_COMPUTE] = {"COMPUTE", GL_COMPUTE_SHADER},
+    [PROGRAM_GEOMETRY] = {"GEOMETRY", GL_GEOMETRY_SHADER},
 };
 
 /* A text that is being put together from files. */
@@ -147,13 +149,11 @@ static GLuint compile_stage(struct dpl_gl *gl, const char *path, enum program_st
     return 0;
 }
 
-/* `second` may be 0: there is only one stage. */
-static GLuint link_stages(struct dpl_gl *gl, const char *path, GLuint first, GLuint second)
+static GLuint link_stages(struct dpl_gl *gl, const char *path, const GLuint *shaders, int count)
 {
     GLuint name = gl->CreateProgram();
-    gl->AttachShader(name, first);
-    if (second)
-        gl->AttachShader(name, second);
+    for (int i = 0; i < count; i++)
+        gl->AttachShader(name, shaders[i]);
     gl->LinkProgram(name);
     GLint linked = 0;
     gl->GetProgramiv(name, GL_LINK_STATUS, &linked);
@@ -166,29 +166,24 @@ static GLuint link_stages(struct dpl_gl *gl, const char *path, GLuint first, GLu
     return 0;
 }
 
-static GLuint build_drawing(struct dpl_gl *gl, const char *path, const char *defines)
+static GLuint build(struct dpl_gl *gl, const char *path, const char *defines, const enum program_stage *stage,
+                    int count)
 {
-    GLuint vertex = compile_stage(gl, path, PROGRAM_VERTEX, defines);
-    GLuint fragment = vertex ? compile_stage(gl, path, PROGRAM_FRAGMENT, defines) : 0;
-    GLuint name = fragment ? link_stages(gl, path, vertex, fragment) : 0;
-    gl->DeleteShader(vertex);
-    gl->DeleteShader(fragment);
-    return name;
-}
-
-static GLuint build_compute(struct dpl_gl *gl, const char *path, const char *defines)
-{
-    GLuint shader = compile_stage(gl, path, PROGRAM_COMPUTE, defines);
-    GLuint name = shader ? link_stages(gl, path, shader, 0) : 0;
-    gl->DeleteShader(shader);
+    GLuint shaders[STAGES_MAX] = {0};
+    int made = 0;
+    while (made < count && (shaders[made] = compile_stage(gl, path, stage[made], defines)))
+        made++;
+    GLuint name = made == count ? link_stages(gl, path, shaders, count) : 0;
+    for (int i = 0; i < made; i++)
+        gl->DeleteShader(shaders[i]);
     return name;
 }
 
 /* Leaves the program as it was where a stage fails. */
 static bool ready(struct dpl_gl *gl, struct gpu_program *program, const char *path, const char *defines,
-                  GLuint (*build)(struct dpl_gl *gl, const char *path, const char *defines))
+                  const enum program_stage *stage, int count)
 {
-    GLuint name = program->generation != gl->generation ? build(gl, path, defines) : 0;
+    GLuint name = program->generation != gl->generation ? build(gl, path, defines, stage, count) : 0;
     program->generation = gl->generation;
     if (name) {
         gl->DeleteProgram(program->name);
@@ -199,12 +194,20 @@ static bool ready(struct dpl_gl *gl, struct gpu_program *program, const char *pa
 
 bool program_ready(struct dpl_gl *gl, struct gpu_program *program, const char *path, const char *defines)
 {
-    return ready(gl, program, path, defines, build_drawing);
+    static const enum program_stage drawing[] = {PROGRAM_VERTEX, PROGRAM_FRAGMENT};
+    return ready(gl, program, path, defines, drawing, 2);
+}
+
+bool program_geometry_ready(struct dpl_gl *gl, struct gpu_program *program, const char *path, const char *defines)
+{
+    static const enum program_stage drawing[] = {PROGRAM_VERTEX, PROGRAM_GEOMETRY, PROGRAM_FRAGMENT};
+    return ready(gl, program, path, defines, drawing, 3);
 }
 
 bool program_compute_ready(struct dpl_gl *gl, struct gpu_program *program, const char *path, const char *defines)
 {
-    return ready(gl, program, path, defines, build_compute);
+    static const enum program_stage compute[] = {PROGRAM_COMPUTE};
+    return ready(gl, program, path, defines, compute, 1);
 }
 
 void program_finish(struct dpl_gl *gl, struct gpu_program *program)

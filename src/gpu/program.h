@@ -8,7 +8,8 @@
  *     void main() { … }
  *     #endif
  *
- * or one compute stage, in a file whose name says so: it is not read for other stages.
+ * with a GEOMETRY stage between them where the file has one; or one compute stage, in a file whose name says so: it is
+ * not read for other stages.
  *
  * The loader puts in front: the dialect ("#version 330 core", or "#version 300 es" with its precisions; "430 core" and
  * "310 es" where the device has compute shaders), the stage's define, the caller's defines; and it expands #include
@@ -30,6 +31,9 @@ struct gpu_program {
  * being edited does not take the picture away). True where there is a program to use. */
 bool program_ready(struct dpl_gl *gl, struct gpu_program *program, const char *path, const char *defines);
 
+/* The same for a program with a geometry stage; the device has geometry shaders. */
+bool program_geometry_ready(struct dpl_gl *gl, struct gpu_program *program, const char *path, const char *defines);
+
 /* The same for a program of one compute stage; the device has compute shaders. */
 bool program_compute_ready(struct dpl_gl *gl, struct gpu_program *program, const char *path, const char *defines);
 
@@ -48,7 +52,7 @@ void program_vec4s(struct dpl_gl *gl, const struct gpu_program *program, const c
 void program_mat4(struct dpl_gl *gl, const struct gpu_program *program, const char *name, const float *columns);
 
 enum program_dialect { PROGRAM_GL33, PROGRAM_ES30, PROGRAM_GL43, PROGRAM_ES31 };
-enum program_stage { PROGRAM_VERTEX, PROGRAM_FRAGMENT, PROGRAM_COMPUTE };
+enum program_stage { PROGRAM_VERTEX, PROGRAM_FRAGMENT, PROGRAM_COMPUTE, PROGRAM_GEOMETRY };
 
 /* The whole text of one stage as it is compiled: what the tests hand to a validator. The caller frees it; NULL, with
  * the reason logged, where a file is missing. */

@@ -1,4 +1,5 @@
-/* OpenEXR through OpenEXRCore: one part, scan lines, RGB as 32-bit floats, ZIP compression. */
+/* OpenEXR through OpenEXRCore. Written: one part, scan lines, RGB as 32-bit floats, ZIP compression. Read: the scan
+ * lines of the first part, whatever their type and compression. */
 #include "base/log.h"
 #include "io/format.h"
 
@@ -99,4 +100,133 @@ static bool write_exr(FILE *stream, const struct dpl_image *image, const struct 
                            output.error ? strerror(output.error) : "OpenEXR refuses it");
 }
 
-const struct io_format io_exr = {".exr", write_exr};
+/* A file in memory that is being read. */
+struct exr_input {
+    const char *bytes;
+    size_t length;
+};
+
+static int64_t read_bytes(exr_const_context_t context, void *user, void *bytes, uint64_t size, uint64_t offset,
+                          exr_stream_error_func_ptr_t error)
+{
+    (void)context;
+    (void)error;
+    const struct exr_input *input = user;
+    size_t left = offset < input->length ? input->length - (size_t)offset : 0,
+           count = size < left ? (size_t)size : left;
+    memcpy(bytes, input->bytes + (count ? offset : 0), count);
+    return (int64_t)count;
+}
+
+static int64_t input_size(exr_const_context_t context, void *user)
+{
+    (void)context;
+    const struct exr_input *input = user;
+    return (int64_t)input->length;
+}
+
+/* The file's channels that become red, green and blue: R, G and B, or else Y, or else the only one there is. */
+static bool find_channels(exr_context_t exr, const char *names[3])
+{
+    const exr_attr_chlist_t *list;
+    static const char *const wanted[] = {"R", "G", "B", "Y"};
+    const char *found[4] = {NULL};
+    if (exr_get_channels(exr, 0, &list) != EXR_ERR_SUCCESS)
+        return false;
+    for (int i = 0; i < list->num_channels; i++)
+        for (int k = 0; k < 4; k++)
+            if (!strcmp(list->entries[i].name.str, wanted[k]) && list->entries[i].x_sampling == 1 &&
+                list->entries[i].y_sampling == 1)
+                found[k] = list->entries[i].name.str;
+    bool colored = found[0] && found[1] && found[2];
+    if (!found[3] && list->num_channels == 1)
+        found[3] = list->entries[0].name.str;
+    for (int k = 0; k < 3; k++)
+        names[k] = colored ? found[k] : found[3];
+    return names[0] != NULL;
+}
+
+/* Points the chunk's channels at the image's first channel that takes them; others are skipped. */
+static void attach_decoder(exr_decode_pipeline_t *decoder, const struct dpl_image *image, int y, const char *names[3])
+{
+    for (int i = 0; i < decoder->channel_count; i++) {
+        exr_coding_channel_info_t *channel = decoder->channels + i;
+        int index = 0;
+        while (index < 3 && strcmp(channel->channel_name, names[index]) != 0)
+            index++;
+        float *first = image->pixels + (size_t)y * (size_t)image->width * 3 + index;
+        channel->decode_to_ptr = index < 3 ? (uint8_t *)first : NULL;
+        channel->user_pixel_stride = 3 * (int)sizeof(float);
+        channel->user_line_stride = image->width * 3 * (int)sizeof(float);
+        channel->user_bytes_per_element = sizeof(float);
+        channel->user_data_type = EXR_PIXEL_FLOAT;
+    }
+}
+
+static bool read_chunks(exr_context_t exr, const exr_attr_box2i_t *window, const char *names[3],
+                        const struct dpl_image *image)
+{
+    int32_t lines = 0;
+    bool ok = exr_get_scanlines_per_chunk(exr, 0, &lines) == EXR_ERR_SUCCESS && lines > 0;
+    for (int y = 0; ok && y < image->height; y += lines) {
+        exr_chunk_info_t chunk;
+        exr_decode_pipeline_t decoder = EXR_DECODE_PIPELINE_INITIALIZER;
+        int height = image->height - y < lines ? image->height - y : lines;
+        ok = exr_read_scanline_chunk_info(exr, 0, window->min.y + y, &chunk) == EXR_ERR_SUCCESS &&
+             chunk.start_y == window->min.y + y && chunk.height == height && chunk.width == image->width &&
+             exr_decoding_initialize(exr, 0, &chunk, &decoder) == EXR_ERR_SUCCESS;
+        if (!ok)
+            break;
+        attach_decoder(&decoder, image, y, names);
+        ok = exr_decoding_choose_default_routines(exr, 0, &decoder) == EXR_ERR_SUCCESS &&
+             exr_decoding_run(exr, 0, &decoder) == EXR_ERR_SUCCESS;
+        exr_decoding_destroy(exr, &decoder);
+    }
+    return ok;
+}
+
+static struct dpl_image *read_image(exr_context_t exr, const char *path, const struct dpl_log *log)
+{
+    exr_attr_box2i_t window;
+    exr_storage_t storage;
+    const char *names[3];
+    if (exr_get_storage(exr, 0, &storage) != EXR_ERR_SUCCESS || storage != EXR_STORAGE_SCANLINE ||
+        exr_get_data_window(exr, 0, &window) != EXR_ERR_SUCCESS || !find_channels(exr, names)) {
+        base_fail(log, DPL_REASON_FILE_FORMAT,
+                  "%s: an EXR of another kind (accepted: scan lines of R, G and B, of Y, or of one channel)", path);
+        return NULL;
+    }
+    long long width = (long long)window.max.x - window.min.x + 1, height = (long long)window.max.y - window.min.y + 1;
+    if (!io_size_fits(width, height, path, log))
+        return NULL;
+    struct dpl_image *image = dpl_image_create((int)width, (int)height, log);
+    if (!image || read_chunks(exr, &window, names, image)) {
+        for (size_t i = 0; image && names[1] == names[0] && i < (size_t)(width * height); i++)
+            image->pixels[3 * i + 1] = image->pixels[3 * i + 2] = image->pixels[3 * i];
+        return image;
+    }
+    base_fail(log, DPL_REASON_FILE_FORMAT, "%s: cannot be read as EXR: broken or cut short", path);
+    dpl_image_destroy(image);
+    return NULL;
+}
+
+static struct dpl_image *read_exr(const char *bytes, size_t length, const char *path, const struct dpl_log *log)
+{
+    struct exr_input input = {bytes, length};
+    exr_context_initializer_t initializer = EXR_DEFAULT_CONTEXT_INITIALIZER;
+    initializer.user_data = &input;
+    initializer.read_fn = read_bytes;
+    initializer.size_fn = input_size;
+    initializer.error_handler_fn = ignore_error;
+    initializer.flags = EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;
+    exr_context_t exr;
+    if (exr_start_read(&exr, path, &initializer) != EXR_ERR_SUCCESS) {
+        base_fail(log, DPL_REASON_FILE_FORMAT, "%s: cannot be read as EXR: no such header", path);
+        return NULL;
+    }
+    struct dpl_image *image = read_image(exr, path, log);
+    exr_finish(&exr);
+    return image;
+}
+
+const struct io_format io_exr = {".exr", write_exr, read_exr};

@@ -8,6 +8,9 @@
 #include <string.h>
 #include <strings.h>
 
+/* Bytes: the largest image as floats, and as much again for what else a file may hold. */
+#define FILE_SIZE_MAX ((size_t)DPL_IMAGE_SIDE_MAX * DPL_IMAGE_SIDE_MAX * 3 * sizeof(float) * 2)
+
 static const struct io_format *const formats[] = {&io_png, &io_exr, &io_pfm, NULL};
 
 struct dpl_image *dpl_image_create(int width, int height, const struct dpl_log *log)
@@ -49,6 +52,23 @@ static const struct io_format *find_format(const char *path, const struct dpl_lo
 bool dpl_image_format_known(const char *path, const struct dpl_log *log)
 {
     return find_format(path, log) != NULL;
+}
+
+bool io_size_fits(long long width, long long height, const char *path, const struct dpl_log *log)
+{
+    return (width >= 1 && height >= 1 && width <= DPL_IMAGE_SIDE_MAX && height <= DPL_IMAGE_SIDE_MAX) ||
+           base_fail(log, DPL_REASON_LIMIT, "%s: image size out of range: %lld × %lld (1 to %d each)", path, width,
+                     height, DPL_IMAGE_SIDE_MAX);
+}
+
+struct dpl_image *io_read(const char *path, const struct dpl_log *log)
+{
+    const struct io_format *entry = find_format(path, log);
+    size_t length = 0;
+    char *bytes = entry ? file_read(path, FILE_SIZE_MAX, &length, log) : NULL;
+    struct dpl_image *image = bytes ? entry->read(bytes, length, path, log) : NULL;
+    free(bytes);
+    return image;
 }
 
 bool dpl_image_save(const struct dpl_image *image, const char *path, const struct dpl_image_format *format,

@@ -108,6 +108,7 @@ const struct light_technique light_coverage = {
     .state_size = sizeof(struct state),
     .channels = 3,
     .physical = true,
+    .energy = 1e-3,
     .reflects = true,
     .trace = trace,
     .draw = draw,

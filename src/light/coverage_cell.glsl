@@ -1,15 +1,9 @@
 /* The image of one cell of the surface on a receiver, in texels of the map. Large cells are split, and the parts count
  * as cells. */
 #include "light/coverage_area.glsl"
-#include "optics/refraction.glsl"
-uniform sampler2D rays;      /* of coverage_rays.glsl */
-uniform sampler2D shifts;    /* m along x and z, of a choppy surface's vertices */
-uniform int choppy;
-uniform vec4 flat_water;     /* u, v; q, the length of light's path for each metre of height, with its sign */
-uniform vec3 absorption;     /* 1/m; 0 above the surface */
+#include "light/coverage_vertex.glsl"
 uniform vec3 channels;       /* 1 where light is to be added */
 uniform vec4 offset;         /* whole texels of the first vertex' place on the receiver, and the rest of it */
-uniform float receiver;      /* m, its height */
 uniform float cell;          /* texels, its side under flat water */
 uniform int split;           /* cells a side that one of the surface is split into */
 uniform float texels_a_meter;
@@ -30,19 +24,9 @@ struct corner {
 
 corner find_vertex(ivec2 index, ivec2 side)
 {
-    ivec2 vertex = index + side, count = textureSize(rays, 0);
-    vertex = ivec2(vertex.x == count.x ? 0 : vertex.x, vertex.y == count.y ? 0 : vertex.y);
-    vec4 ray = texelFetch(rays, vertex, 0);
-    vec2 uv = flat_water.xy + ray.xy;
-    /* water beyond the receiver lies on it */
-    float height = receiver > 0.0 ? min(ray.z, receiver) : max(ray.z, receiver);
-    float path = abs(receiver - height) * sqrt(1.0 + dot(uv, uv)) - abs(receiver * flat_water.z);
-    vec2 moved = ray.xy * (receiver - height) - flat_water.xy * height;
-    vec3 left = optics_transmittance(absorption, path);
-    vec2 from = vec2(side) * cell * float(split);
-    if (choppy != 0)
-        from += texelFetch(shifts, vertex, 0).xy * texels_a_meter;
-    return corner(from + moved * texels_a_meter, from, ray.w * left * channels);
+    vertex_light light = find_light(index + side);
+    vec2 from = vec2(side) * cell * float(split) + light.shift * texels_a_meter;
+    return corner(from + light.moved * texels_a_meter, from, light.weight * channels);
 }
 
 float cross_product(vec2 a, vec2 b)

@@ -47,11 +47,10 @@ static struct coverage_flat find_flat(const struct light_input *input, double io
     return coverage_flat_water(sun, ior, is_upwards(input));
 }
 
-static void draw_rays(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct light_input *input, double ior,
-                      struct gpu_texture *rays)
+void coverage_gpu_draw_rays(struct dpl_gl *gl, const struct gpu_program *program, const struct light_input *input,
+                            double ior, struct gpu_texture *rays)
 {
     const struct gpu_texture *surface = &input->surface_gpu->texels;
-    const struct gpu_program *program = &gpu->rays_program;
     const struct coverage_flat water = find_flat(input, ior);
     const float per_flux = water.share > 0 ? (float)(1 / (water.sun[1] * water.share)) : 0;
     const float flat[4] = {(float)water.u, (float)water.v, per_flux, 0};
@@ -318,7 +317,7 @@ bool coverage_gpu_draw(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct
     if (passes == 1)
         iors[0] = input->medium->ior;
     for (int pass = 0; pass < passes; pass++)
-        draw_rays(gpu, gl, input, iors[pass], gpu->rays + pass);
+        coverage_gpu_draw_rays(gl, &gpu->rays_program, input, iors[pass], gpu->rays + pass);
     for (int slice = 0; slice < input->slices; slice++)
         draw_slice(gpu, gl, input, passes, iors, map, slice);
     return true;

@@ -39,6 +39,10 @@ struct coverage_gpu {
 bool coverage_gpu_draw(struct coverage_gpu *gpu, struct dpl_gl *gl, const struct light_input *input,
                        const struct light_samples *samples, struct gpu_texture *map);
 
+/* What every vertex does with light of that index, by the program of coverage_rays.glsl; resizes `rays`. */
+void coverage_gpu_draw_rays(struct dpl_gl *gl, const struct gpu_program *program, const struct light_input *input,
+                            double ior, struct gpu_texture *rays);
+
 void coverage_gpu_finish(struct coverage_gpu *gpu, struct dpl_gl *gl);
 
 /* Brings the footprint up to date. */

@@ -45,6 +45,8 @@ void light_samples_take(struct light_samples *samples, const struct water_model 
     samples->height = arrays[2];
     samples->slopes[0] = arrays[3];
     samples->slopes[1] = arrays[4];
+    samples->shifts[0] = arrays[5];
+    samples->shifts[1] = arrays[6];
     samples->curvature = sqrt(2 * curvature);
     samples->change = sqrt(change);
 }

@@ -8,9 +8,9 @@
 #define LIGHT_SAMPLES 1024
 struct light_samples {
     double arrays[8][LIGHT_SAMPLES];
-    const double *height, *slopes[2]; /* in `arrays` */
-    double curvature;                 /* 1/m: of the crests of a wave alone; the root of the sum of squares of many */
-    double change;                    /* 1/m²: of the curvature along the way, root mean square */
+    const double *height, *slopes[2], *shifts[2]; /* in `arrays` */
+    double curvature; /* 1/m: of the crests of a wave alone; the root of the sum of squares of many */
+    double change;    /* 1/m²: of the curvature along the way, root mean square */
 };
 void light_samples_take(struct light_samples *samples, const struct water_model *model, const struct water_setup *setup,
                         double time);

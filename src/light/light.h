@@ -54,6 +54,7 @@ struct light_input {
     const struct optics_sun *sun;
     const struct water_medium *medium;
     const struct light_settings *settings;
+    int seed; /* of techniques that leave something to chance */
     struct light_progress progress;
     const void *params; /* the technique's own struct */
     const struct dpl_log *log;
@@ -75,6 +76,7 @@ struct light_technique {
     size_t state_size; /* kept between frames, starts zeroed */
     int channels;      /* of its map: 1 grey, 3 red green blue */
     bool physical;     /* its map is irradiance in units of flat water */
+    double energy;     /* of a physical one: how far, at its defaults, the mean of a periodic map may be off, a share */
     bool reflects;     /* serves receivers above the surface too */
     bool vertical;     /* looks straight up: gets choppy water as it is above each place, without shifts */
     bool refines;      /* its map gets better while it is called again with the same input */

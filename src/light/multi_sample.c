@@ -31,7 +31,7 @@ static const struct dpl_param params[] = {
     PARAM_FLOAT(struct multi_sample, falloff, 4, 0, 16, "", "power of the loss with a sample's distance"),
     PARAM_BOOL(struct multi_sample, faithful, true,
                "true: the paper's program, whose z offset and z normal have opposite signs; false: equal signs"),
-    PARAM_TEXT(struct multi_sample, sun_map, "PNG of the sun, square; its diagonal is read; empty = a soft disc"),
+    PARAM_TEXT(struct multi_sample, sun_map, "picture of the sun, square; its diagonal is read; empty = a soft disc"),
     PARAM_END,
 };
 

@@ -21,10 +21,10 @@ void sun_map_disc(struct sun_map *map)
     }
 }
 
-/* A square PNG, or NULL. */
+/* A square picture, or NULL. */
 static struct dpl_image *read_square(const char *path, const struct dpl_log *log)
 {
-    struct dpl_image *image = io_png_read(path, log);
+    struct dpl_image *image = io_read(path, log);
     if (!image || (image->width == image->height && image->width > 1))
         return image;
     base_fail(log, DPL_REASON_FILE_FORMAT, "%s: a sun map is square: %d × %d", path, image->width, image->height);

@@ -21,7 +21,7 @@ struct sun_map {
 /* The soft disc of Collard & Mundi's program. */
 void sun_map_disc(struct sun_map *map);
 
-/* Reads the diagonal of a square PNG's red channel. */
+/* Reads the diagonal of a square picture's red channel. */
 bool sun_map_read(struct sun_map *map, const char *path, const struct dpl_log *log);
 
 /* Brightness at m; outside the points that of the nearer end. */

@@ -45,11 +45,12 @@ static void find_square(const struct light_input *input, int slice, int cells, d
     square[2] = window->side / size * cells;
 }
 
-/* Step 2 for a row of texels between two rows of vertices, `part` of the way down. `first` and `step`: of the texels'
- * middles, in cells. */
-VECTOR_CLONES static void interpolate(const float *restrict above, const float *restrict below, float part, float first,
-                                      float step, int cells, bool periodic, int count, float *restrict out)
+/* Step 2 for a row of texels between a row of vertices and the next, `part` of the way down. `first` and `step`: of the
+ * texels' middles, in cells. */
+VECTOR_CLONES static void interpolate(const float *restrict vertices, float part, float first, float step, int cells,
+                                      bool periodic, int count, float *restrict out)
 {
+    const int below = cells + 1;
     const float end = (float)cells, turns = periodic ? 1.0f / end : 0.0f;
     for (int i = 0; i < count; i++) {
         float place = first + (float)i * step;
@@ -59,9 +60,9 @@ VECTOR_CLONES static void interpolate(const float *restrict above, const float *
         float u = place - (float)cell;
         int second = u + part > 1.0f;
         float at_right = second ? 1.0f - part : u, at_below = second ? 1.0f - u : part;
-        float corner = second ? below[cell + 1] : above[cell];
+        int corner = second ? cell + below + 1 : cell;
         float at_corner = vector_positive(1.0f - at_right - at_below);
-        out[i] = at_corner * corner + at_right * above[cell + 1] + at_below * below[cell];
+        out[i] = at_corner * vertices[corner] + at_right * vertices[cell + 1] + at_below * vertices[cell + below];
     }
 }
 
@@ -73,9 +74,8 @@ static void trace_slice(const struct light_map *mesh, const double square[3], bo
     for (int row = 0; row < side; row++) {
         float part;
         int cell = vertical_ray_locate(square[1] + (row + 0.5) * step, cells, periodic, &part);
-        const float *above = mesh->texels + (size_t)cell * (size_t)mesh->side;
-        interpolate(above, above + mesh->side, part, (float)(square[0] + step / 2), (float)step, cells, periodic, side,
-                    texels + (size_t)row * (size_t)side);
+        interpolate(mesh->texels + (size_t)cell * (size_t)mesh->side, part, (float)(square[0] + step / 2), (float)step,
+                    cells, periodic, side, texels + (size_t)row * (size_t)side);
     }
 }
 

@@ -14,20 +14,6 @@ vec2 in_water(vec2 xz)
     return surface_periodic != 0 ? xz : clamp(xz, -0.5 * surface_size, 0.5 * surface_size);
 }
 
-/* Height and slopes between the vertices. */
-vec3 surface_between(vec2 xz)
-{
-    ivec2 count = textureSize(surface_texels, 0);
-    vec2 place = (xz + 0.5 * surface_size) / surface_spacing();
-    if (surface_periodic != 0)
-        place -= floor(place / vec2(count)) * vec2(count);
-    ivec2 cell = min(ivec2(place), surface_periodic != 0 ? count - 1 : count - 2);
-    vec2 inside = place - vec2(cell);
-    vec3 above = mix(surface_vertex(cell), surface_vertex(cell + ivec2(1, 0)), inside.x);
-    vec3 below = mix(surface_vertex(cell + ivec2(0, 1)), surface_vertex(cell + ivec2(1, 1)), inside.x);
-    return mix(above, below, inside.y);
-}
-
 vec2 find_slopes(vec2 xz)
 {
     vec2 at = in_water(xz);

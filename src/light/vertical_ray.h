@@ -11,7 +11,7 @@
  * ray moves nowhere on its way, so depth does not matter: light neither gathers nor spreads with it, and neighbours
  * know nothing of each other. Bright is where water lies level, be it a crest, which gathers light, or a trough, which
  * does not. Absorption is not in the map: all ways are vertical and, but for the waves' height, as long as under flat
- * water. Water that is choppy is looked at where its points rest. */
+ * water. */
 #ifndef LIGHT_VERTICAL_RAY_H
 #define LIGHT_VERTICAL_RAY_H
 

@@ -1,6 +1,6 @@
 #include "optics/sun.h"
 
-#include <math.h>
+#include "base/sine.h"
 
 const struct dpl_param optics_sun_params[] = {
     PARAM_FLOAT(struct optics_sun, elevation, 60, 1, 90, "degrees",
@@ -39,4 +39,12 @@ void optics_disc_place(const struct optics_disc *disc, const double place[2], do
     double square = disc->radius * disc->radius * (place[0] * place[0] + place[1] * place[1]);
     for (int i = 0; i < 3; i++)
         out[i] = sqrt(1 - square) * disc->middle[i] + place[0] * disc->up[i] + place[1] * disc->across[i];
+}
+
+void optics_disc_spread(double u, double v, double place[2])
+{
+    double sine, cosine, radius = sqrt(u);
+    sine_cosine(v, &sine, &cosine);
+    place[0] = radius * cosine;
+    place[1] = radius * sine;
 }

@@ -24,4 +24,7 @@ struct optics_disc optics_sun_disc(const struct optics_sun *sun);
  * evenly over the disc. */
 void optics_disc_place(const struct optics_disc *disc, const double place[2], double out[3]);
 
+/* A place in the unit circle for one of the unit square; equal areas for equal areas. */
+void optics_disc_spread(double u, double v, double place[2]);
+
 #endif

@@ -1,7 +1,7 @@
 #include "reference/photons.h"
 
 #include "base/log.h"
-#include "base/sine.h"
+#include "base/random.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -18,46 +18,19 @@ size_t photons_sum_count(const struct photons *photons)
     return (size_t)HALVES * (size_t)photons->receiver_count * (size_t)photons->side * (size_t)photons->side * 3;
 }
 
-static enum ray_kind kind_of(double receiver)
-{
-    return receiver < 0 ? RAY_REFRACTED : RAY_REFLECTED;
-}
-
-/* A place in the unit circle; equal areas for equal areas of the unit square. */
-static void place_on_disc(double u, double v, double place[2])
-{
-    double sine, cosine, radius = sqrt(u);
-    sine_cosine(v, &sine, &cosine);
-    place[0] = radius * cosine;
-    place[1] = radius * sine;
-}
-
-/* Mean weights of flat water. */
 static struct ray_window window_of(const struct photons_task *task, int receiver)
 {
     double size = task->setup->size;
     return task->windows ? task->windows[receiver] : (struct ray_window){-size / 2, -size / 2, size};
 }
 
+/* Mean weights of flat water, of which a window larger than the tile needs more. */
 static void measure_flat(struct photons *photons, const struct photons_task *task)
 {
-    const int places = 64; /* a side: the mean over the disc to 1e-5 and better */
-    double areas[PHOTONS_RECEIVERS_MAX];
-    for (int r = 0; r < task->receiver_count; r++)
-        areas[r] = pow(window_of(task, r).side / task->setup->size, 2) / (places * places);
-    for (int k = 0; k < places * places; k++) {
-        struct ray_point point = {.area = 1};
-        double place[2];
-        place_on_disc((k % places + 0.5) / places, (k / places + 0.5) / places, place);
-        optics_disc_place(&photons->disc, place, point.to_light);
-        for (int r = 0; r < task->receiver_count; r++) {
-            for (int c = 0; c < 3; c++) {
-                struct ray ray = ray_start(&photons->rays, &point, kind_of(task->receivers[r]), c);
-                struct ray_hit hit;
-                if (ray.weight > 0 && ray_meet(&ray, &point, task->receivers[r], &hit))
-                    photons->flat[r][c] += areas[r] * ray_weight(&photons->rays, &ray, &hit, task->receivers[r], c);
-            }
-        }
+    for (int r = 0; r < task->receiver_count; r++) {
+        ray_flat_mean(&photons->rays, &photons->disc, task->receivers[r], photons->flat[r]);
+        for (int c = 0; c < 3; c++)
+            photons->flat[r][c] *= pow(window_of(task, r).side / task->setup->size, 2);
     }
 }
 
@@ -96,21 +69,13 @@ double photons_per_texel(const struct photons *photons)
     return HALVES * pow((double)photons->strata / photons->side, 2);
 }
 
-/* Mixes a number's bits (the finalizer of SplitMix64, Steele, Lea & Flood 2014). */
-static uint64_t mix(uint64_t bits)
-{
-    bits = (bits ^ bits >> 30) * 0xbf58476d1ce4e5b9u;
-    bits = (bits ^ bits >> 27) * 0x94d049bb133111ebu;
-    return bits ^ bits >> 31;
-}
-
 /* The dimension-th number, 0 to 1 without 1, of a stratum's photon in a pass. The sequence in four dimensions steps by
  * powers of 1/φ, φ^5 = φ + 1; all of it is arithmetic modulo 1, in parts of 2^64. */
 static double draw(uint64_t stratum, uint64_t pass, int dimension)
 {
     static const uint64_t steps[4] = {0xdb4f0b9175ae2165u, 0xbbe0563303a4615fu, 0xa0f2ec75a1fe1575u,
                                       0x89e182857d9ed689u};
-    uint64_t start = mix((4 * stratum + (uint64_t)dimension + 1) * 0x9e3779b97f4a7c15u);
+    uint64_t start = random_mix((4 * stratum + (uint64_t)dimension + 1) * 0x9e3779b97f4a7c15u);
     return (double)((start + pass * steps[dimension]) >> 11) * 0x1p-53;
 }
 
@@ -153,8 +118,8 @@ static void trace(const struct photons *photons, const struct photons_task *task
     for (int c = 0; c < 3; c += together) {
         struct ray ray = {.kind = RAY_KINDS};
         for (int r = 0; r < task->receiver_count; r++) {
-            if (ray.kind != kind_of(task->receivers[r]))
-                ray = ray_start(&photons->rays, point, kind_of(task->receivers[r]), c);
+            if (ray.kind != ray_kind_of(task->receivers[r]))
+                ray = ray_start(&photons->rays, point, ray_kind_of(task->receivers[r]), c);
             if (ray.weight > 0)
                 land(photons, task, point, &ray, r, together, sums);
         }
@@ -180,7 +145,7 @@ static void trace_batch(const struct photons *photons, const struct photons_task
         struct ray_point point = {x[i] + shift_x[i], z[i] + shift_z[i], height[i], slope_x[i],
                                   slope_z[i],        area[i],           {0}};
         double place[2];
-        place_on_disc(draw(stratum, photons->passes, 2), draw(stratum, photons->passes, 3), place);
+        optics_disc_spread(draw(stratum, photons->passes, 2), draw(stratum, photons->passes, 3), place);
         optics_disc_place(&photons->disc, place, point.to_light);
         trace(photons, task, &point, sums);
     }

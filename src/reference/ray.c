@@ -6,6 +6,11 @@
 
 #define FLATTEST 1e-6 /* vertical part of a direction below which a ray leaves the scene */
 
+enum ray_kind ray_kind_of(double receiver)
+{
+    return receiver < 0 ? RAY_REFRACTED : RAY_REFLECTED;
+}
+
 /* The share of the light that goes on that way. */
 static double share_of(enum ray_kind kind, double cosine, double ior)
 {
@@ -72,4 +77,22 @@ double ray_weight(const struct ray_medium *rays, const struct ray *ray, const st
         return ray->weight; /* air absorbs nothing */
     double longer = hit->way - fabs(receiver) * rays->flat_way[RAY_REFRACTED][color];
     return ray->weight * optics_transmittance(rays->absorption[color], longer);
+}
+
+void ray_flat_mean(const struct ray_medium *rays, const struct optics_disc *disc, double receiver, double mean[3])
+{
+    const int places = 64; /* a side: the mean over the disc to 1e-5 and better */
+    mean[0] = mean[1] = mean[2] = 0;
+    for (int k = 0; k < places * places; k++) {
+        struct ray_point point = {.area = 1};
+        double place[2];
+        optics_disc_spread((k % places + 0.5) / places, (k / places + 0.5) / places, place);
+        optics_disc_place(disc, place, point.to_light);
+        for (int c = 0; c < 3; c++) {
+            struct ray ray = ray_start(rays, &point, ray_kind_of(receiver), c);
+            struct ray_hit hit;
+            if (ray.weight > 0 && ray_meet(&ray, &point, receiver, &hit))
+                mean[c] += ray_weight(rays, &ray, &hit, receiver, c) / (places * places);
+        }
+    }
 }

@@ -18,6 +18,9 @@ struct ray_window {
 /* What happens to the light there: it enters the water, or is thrown back by it. */
 enum ray_kind { RAY_REFRACTED, RAY_REFLECTED, RAY_KINDS };
 
+/* How light comes to a receiver at that height, which is not 0: from below the surface, or from above it. */
+enum ray_kind ray_kind_of(double receiver);
+
 /* What is the same for all rays. */
 struct ray_medium {
     double ior[3], absorption[3];
@@ -54,5 +57,8 @@ bool ray_meet(const struct ray *ray, const struct ray_point *point, double recei
 /* The ray's weight there in a colour, which may be another than the ray's own if its refractive index is the same. */
 double ray_weight(const struct ray_medium *rays, const struct ray *ray, const struct ray_hit *hit, double receiver,
                   int color);
+
+/* The mean weight of flat water's rays from all of the sun, by colour; 1 where the sun is a point. */
+void ray_flat_mean(const struct ray_medium *rays, const struct optics_disc *disc, double receiver, double mean[3]);
 
 #endif

@@ -4,19 +4,22 @@
 
 #include "gpu/target.h"
 #include "gpu/timer.h"
+#include "render/camera.h"
 #include "scene/scene.h"
 
 struct frame {
     struct dpl_gl *gl;
     const struct dpl_scene *scene;
-    const void *params; /* the look's own struct */
-    double time;        /* s */
-    double sphere[3];   /* m, the middle of the scene's sphere now */
+    const void *params;              /* the look's own struct */
+    double time;                     /* s */
+    double sphere[3];                /* m, the middle of the scene's sphere now */
+    const struct water_setup *setup; /* of the scene's water model */
     const struct surface_gpu *surface;
     const struct gpu_texture *map;    /* the caustic maps; see light/map_texture.h */
     const struct ray_window *windows; /* that they show */
     const struct gpu_texture *sand;
     float view_projection[16]; /* columns; world to clip space */
+    struct camera_rays rays;
     struct gpu_timer *timer;
 };
 

@@ -120,6 +120,7 @@ static struct light_input light_input(struct lighting *lighting, const struct ta
         .sun = &scene->sun,
         .medium = &scene->medium,
         .settings = &scene->caustics,
+        .seed = scene->settings.seed,
         .progress = lighting->progress,
         .params = scene->technique_params[task->lit->technique],
         .log = lighting->log,
@@ -149,7 +150,7 @@ static void resize_texture(struct lighting *lighting, const struct task *task, s
                            enum map_origin origin, bool finished)
 {
     const struct dpl_scene *scene = task->scene;
-    bool periodic = task->technique->physical && water_models[scene->medium.model]->shape(&lighting->setup).periodic;
+    bool periodic = water_models[scene->medium.model]->shape(&lighting->setup).periodic;
     double receivers[LIGHT_SLICES_MAX];
     map_texture_resize(lighting->gl, texture, scene->caustics.map, task->technique->channels,
                        scene_receivers(scene, receivers), origin, finished, periodic);

@@ -14,6 +14,7 @@
 
 #define SKY_SIDE 512 /* texels */
 #define TILES_MAX 4
+#define FLOOR_REACH 101 /* tiles */
 
 /* [look.sanchez-crespo] */
 struct look {
@@ -114,16 +115,16 @@ static int tile_order(const struct frame *frame, double places[][3])
     return count;
 }
 
-static void draw_floor(const struct state *state, const struct frame *frame, double (*places)[3], int count)
+/* `count` of tiles; where there are several, the floor goes on into the distance. */
+static void draw_floor(const struct state *state, const struct frame *frame, int count)
 {
     struct dpl_gl *gl = frame->gl;
     timer_pass(frame->timer, "floor");
     begin_floor(frame, &state->floor);
-    for (int k = 0; k < count; k++) {
-        program_vec3(gl, &state->floor, "tile", places[k]);
-        gl->BindVertexArray(gl->empty_array);
-        gl->DrawArrays(GL_TRIANGLES, 0, 6);
-    }
+    program_float(gl, &state->floor, "reach", count > 1 ? FLOOR_REACH : 1);
+    program_vec3(gl, &state->floor, "tile", (double[]){0, 0, 0});
+    gl->BindVertexArray(gl->empty_array);
+    gl->DrawArrays(GL_TRIANGLES, 0, 6);
 }
 
 static void draw_caustics(const struct state *state, const struct frame *frame, double (*places)[3], int count)
@@ -172,7 +173,7 @@ static void draw(void *state_, const struct frame *frame)
     double places[(2 * TILES_MAX + 1) * (2 * TILES_MAX + 1)][3];
     int count = tile_order(frame, places);
     frame->gl->Enable(GL_DEPTH_TEST);
-    draw_floor(state, frame, places, count);
+    draw_floor(state, frame, count);
     draw_caustics(state, frame, places, count);
     draw_waves(state, frame, places, count);
     frame->gl->Disable(GL_DEPTH_TEST);

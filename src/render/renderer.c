@@ -188,6 +188,7 @@ static bool draw_frame(struct dpl_renderer *renderer, const struct dpl_scene *sc
         .scene = scene,
         .params = scene->look_params[scene->render.look],
         .time = time,
+        .setup = &renderer->lighting.setup,
         .surface = &renderer->lighting.surface_gpu,
         .windows = renderer->lighting.windows,
         .sand = &renderer->sand.color,
@@ -197,6 +198,7 @@ static bool draw_frame(struct dpl_renderer *renderer, const struct dpl_scene *sc
     water_sphere_center(water_models[scene->medium.model], &renderer->lighting.setup, renderer->sphere);
     memcpy(frame.sphere, renderer->sphere, sizeof frame.sphere);
     camera_matrix(&scene->camera, width, height, frame.view_projection);
+    frame.rays = camera_rays(&scene->camera, width, height);
     if (!prepare_look(renderer, &frame))
         return false;
     target_begin(gl, &renderer->target, scene->render.background);

@@ -6,6 +6,7 @@ uniform vec3 tile;         /* m, where the tile's middle is */
 #ifdef VERTEX
 uniform mat4 view_projection;
 uniform int cells;   /* a side */
+uniform float reach; /* side of the floor, in tiles */
 uniform int columns; /* vertices in a row */
 out vec3 position;
 out vec2 place; /* 0 to 1 across the tile, along x and z */
@@ -16,7 +17,7 @@ void main()
     place = vec2(gl_VertexID % columns, gl_VertexID / columns) / float(cells);
 #else
     const vec2 corners[6] = vec2[6](vec2(0, 0), vec2(0, 1), vec2(1, 0), vec2(1, 0), vec2(0, 1), vec2(1, 1));
-    place = corners[gl_VertexID];
+    place = (corners[gl_VertexID] - 0.5) * reach + 0.5;
 #endif
     vec2 xz = (place - 0.5) * size;
     position = vec3(xz.x, -depth, xz.y) + tile;

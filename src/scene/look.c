@@ -1,8 +1,8 @@
 #include "scene/look.h"
 
-extern const struct scene_look look_collard, look_pool, look_sanchez_crespo;
+extern const struct scene_look look_collard, look_pool, look_sanchez_crespo, look_fourier;
 
-const struct scene_look *const scene_looks[] = {&look_collard, &look_sanchez_crespo, &look_pool, NULL};
+const struct scene_look *const scene_looks[] = {&look_collard, &look_pool, &look_sanchez_crespo, &look_fourier, NULL};
 
 const char *scene_look_name(int i)
 {

@@ -12,7 +12,7 @@ static const struct dpl_param settings_params[] = {
     PARAM_FLOAT(struct scene_settings, size, 4, 0.01, 10000, "m", "side of the square tile of water"),
     PARAM_FLOAT(struct scene_settings, depth, 1, 0, 1000, "m", "from the rest surface down to the floor"),
     PARAM_FLOAT(struct scene_settings, loop, 0, 0, 3600, "s", "every wave repeats after this time; 0 = no loop"),
-    PARAM_INT(struct scene_settings, seed, 1, 0, 1000000, "", "start of everything random (grains of sand)"),
+    PARAM_INT(struct scene_settings, seed, 1, 0, 1000000, "", "start of everything random (grains of sand, photons)"),
     PARAM_END,
 };
 
@@ -115,13 +115,18 @@ void dpl_scene_destroy(struct dpl_scene *scene)
     free(scene);
 }
 
+static bool model_moves(const struct dpl_scene *scene, int model)
+{
+    return water_model_has(scene->medium.model, model, (const void *const *)scene->model_params);
+}
+
 /* The index-th wave that is present. */
 static struct dpl_section wave_section(const struct dpl_scene *scene, int index)
 {
     for (int w = 0; w < WATER_WAVES_MAX; w++)
         if (scene->wave_present[w] && index-- == 0)
             return (struct dpl_section){scene->wave_names[w], "one wave of the model `sines`", water_wave_params,
-                                        (void *)(scene->waves + w), scene->medium.model == 0};
+                                        (void *)(scene->waves + w), model_moves(scene, 0)};
     return (struct dpl_section){0};
 }
 
@@ -136,7 +141,7 @@ struct dpl_section dpl_scene_section(const struct dpl_scene *scene, int index)
     for (int i = 0; water_models[i]; i++)
         if (water_models[i]->params && index-- == 0)
             return (struct dpl_section){water_models[i]->name, water_models[i]->summary, water_models[i]->params,
-                                        scene->model_params[i], scene->medium.model == i};
+                                        scene->model_params[i], model_moves(scene, i)};
     for (int i = 0; light_techniques[i]; i++)
         if (light_techniques[i]->params && index-- == 0)
             return (struct dpl_section){light_techniques[i]->name, light_techniques[i]->summary,

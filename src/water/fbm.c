@@ -15,6 +15,8 @@
 
 #include <math.h>
 
+extern const struct water_model water_fbm;
+
 struct fbm {
     double amplitude, scale;
     int terms;
@@ -79,39 +81,15 @@ VECTOR_CLONES static void fill(const struct series *series, int count, const dou
     }
 }
 
-static void fill_row(const struct series *series, struct surface *surface, int row)
-{
-    enum { BLOCK = 256 };
-    double spacing = surface_spacing(surface), half = surface->size / 2;
-    double x[BLOCK], z[BLOCK], height[BLOCK], slope_x[BLOCK], slope_z[BLOCK];
-    float *texel = surface->texels + (size_t)row * (size_t)surface->columns * 3;
-    for (int from = 0; from < surface->columns; from += BLOCK) {
-        int count = surface->columns - from < BLOCK ? surface->columns - from : BLOCK;
-        for (int i = 0; i < count; i++) {
-            x[i] = (from + i) * spacing - half;
-            z[i] = row * spacing - half;
-        }
-        fill(series, count, x, z, height, slope_x, slope_z);
-        for (int i = 0; i < count; i++, texel += 3) {
-            texel[0] = (float)height[i];
-            texel[1] = (float)slope_x[i];
-            texel[2] = (float)slope_z[i];
-        }
-    }
-}
-
-static void evaluate(const struct water_setup *setup, double time, struct surface *surface)
-{
-    struct series series = series_at(setup, time);
-#pragma omp parallel for
-    for (int j = 0; j < surface->rows; j++)
-        fill_row(&series, surface, j);
-}
-
 static void sample(const struct water_setup *setup, double time, struct water_points *points)
 {
     struct series series = series_at(setup, time);
     fill(&series, points->count, points->x, points->z, points->height, points->slope_x, points->slope_z);
+}
+
+static void evaluate(const struct water_setup *setup, double time, struct surface *surface)
+{
+    water_fill(&water_fbm, setup, time, surface);
 }
 
 /* (A in turns, S in turns/m², F, N). */

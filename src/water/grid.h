@@ -19,7 +19,7 @@ struct height_grid {
 /* Heights and slopes at any points; may be called by several threads at once. Leaves shifts and areas alone. */
 void grid_sample(const struct height_grid *grid, struct water_points *points);
 
-/* The same at the vertices of a surface that has this grid. */
+/* The same at the vertices of a surface; faster where it has this grid. */
 void grid_fill(const struct height_grid *grid, struct surface *surface);
 
 #endif

@@ -43,7 +43,7 @@ struct ripples_state {
     int64_t steps;                 /* since time 0 */
     int64_t life;                  /* steps that a wave lives */
     int64_t next_change;
-    struct tank tank, next_tank; /* next_tank takes over in time; see ripples.c */
+    struct tank tank, next_tank; /* next_tank takes over in time; see ripples_prepare.c */
     bool next_started;
     float *shown;                                    /* heights at the time that was asked for */
     double lag;                                      /* steps that it is behind `tank` */
@@ -56,6 +56,9 @@ struct ripples_state {
     int event_count;                                 /* RIPPLES_EVENTS_MAX + 1: too many, or other water */
     struct ripples_gpu gpu;
 };
+
+/* Brings the water to a time; see water.h. */
+bool ripples_prepare(void *state, const struct water_setup *setup, double time, const struct dpl_log *log);
 
 /* The surface as a texture, from the GPU's copy or from the CPU. */
 bool ripples_draw(void *state, struct dpl_gl *gl, const struct water_setup *setup, double time,

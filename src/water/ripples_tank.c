@@ -23,6 +23,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#define ALONE_MAX 512 /* vertices a side; in smaller tanks threads wait for each other longer than they work */
+
 bool tank_resize(struct tank *tank, int side, const struct dpl_log *log)
 {
     if (tank->heights && tank->side == side)
@@ -83,14 +85,12 @@ VECTOR_CLONES static void move_row(int side, const float *restrict speeds, float
         row[i] += speeds[i];
 }
 
-/* In a small tank threads would wait for each other longer than they work. */
 static void step(struct tank *tank)
 {
-    const int alone = 512; /* vertices a side, at most */
     const int side = tank->side, last = side - 1;
     const float damping = (float)tank->damping;
     float *heights = tank->heights, *speeds = tank->speeds;
-#pragma omp parallel if (side > alone)
+#pragma omp parallel if (side > ALONE_MAX)
     {
 #pragma omp for
         for (int j = 0; j < side; j++) {
@@ -140,6 +140,7 @@ static void displace(struct tank *tank, const struct ball *from, const struct ba
     for (int a = 0; a < 2; a++)
         ranges[a] = range_of(tank, fmin(from->center[2 * a] - ball_reach(from), to->center[2 * a] - ball_reach(to)),
                              fmax(from->center[2 * a] + ball_reach(from), to->center[2 * a] + ball_reach(to)));
+#pragma omp parallel for if (tank->side > ALONE_MAX)
     for (int j = ranges[1].first; j < ranges[1].end; j++) {
         float *row = tank->heights + (size_t)j * (size_t)tank->side;
         for (int i = ranges[0].first; i < ranges[0].end; i++) {

@@ -5,10 +5,11 @@
 #include <math.h>
 #include <stdlib.h>
 
-extern const struct water_model water_sines, water_collard, water_fbm, water_ripples;
+extern const struct water_model water_sines, water_ocean, water_ripples, water_fbm, water_heightfield, water_collard, water_sum;
 
-const struct water_model *const water_models[] = {&water_sines, &water_collard, &water_fbm, &water_ripples, NULL};
+const struct water_model *const water_models[] = {&water_sines, &water_ocean, &water_ripples, &water_fbm, &water_heightfield, &water_collard, &water_sum, NULL};
 
+/* The sum comes last: it adds up those before it. */
 const char *water_model_name(int i)
 {
     const int count = sizeof water_models / sizeof *water_models - 1;
@@ -90,6 +91,42 @@ void water_sample(const struct water_model *model, const struct water_setup *set
         }
     }
     model->sample(setup, time, points);
+}
+
+/* Vertices of a row, from column `from` on. */
+#define BLOCK 256
+
+static void fill_block(const struct water_model *model, const struct water_setup *setup, double time,
+                       struct surface *surface, int row, int from)
+{
+    double x[BLOCK], z[BLOCK], height[BLOCK], slope_x[BLOCK], slope_z[BLOCK], shift_x[BLOCK], shift_z[BLOCK];
+    double area[BLOCK], spacing = surface_spacing(surface), half = surface->size / 2;
+    int count = surface->columns - from < BLOCK ? surface->columns - from : BLOCK;
+    size_t first = (size_t)row * (size_t)surface->columns + (size_t)from;
+    for (int i = 0; i < count; i++) {
+        x[i] = (from + i) * spacing - half;
+        z[i] = row * spacing - half;
+    }
+    struct water_points points = {count, x, z, height, slope_x, slope_z, shift_x, shift_z, area};
+    water_sample(model, setup, time, &points);
+    float *texel = surface->texels + first * 3, *shift = surface->shifts ? surface->shifts + first * 2 : NULL;
+    for (int i = 0; i < count; i++) {
+        texel[3 * i] = (float)height[i];
+        texel[3 * i + 1] = (float)slope_x[i];
+        texel[3 * i + 2] = (float)slope_z[i];
+        if (shift) {
+            shift[2 * i] = (float)shift_x[i];
+            shift[2 * i + 1] = (float)shift_z[i];
+        }
+    }
+}
+
+void water_fill(const struct water_model *model, const struct water_setup *setup, double time, struct surface *surface)
+{
+#pragma omp parallel for
+    for (int j = 0; j < surface->rows; j++)
+        for (int from = 0; from < surface->columns; from += BLOCK)
+            fill_block(model, setup, time, surface, j, from);
 }
 
 bool water_evaluate(const struct water_model *model, const struct water_setup *setup, double time,

@@ -30,6 +30,7 @@ struct wave {
     double amplitude; /* m */
     double phase;     /* degrees */
     double period;    /* s; 0: from the dispersion relation */
+    double steepness; /* 0: a sine; 1: a cusp at the crest, where the wave is alone */
 };
 extern const struct dpl_param water_wave_params[];
 
@@ -122,9 +123,15 @@ extern const struct water_model *const water_models[]; /* ends with NULL */
 /* The i-th model's name, NULL past the last: the choices of `water.model`. */
 const char *water_model_name(int i);
 
+/* True where waves of the model `part` move the water of `model`: it is that one, or a sum that has it. */
+bool water_model_has(int model, int part, const void *const *all_params);
+
 /* The model's points; where it is not choppy, shifts are 0 and areas 1. */
 void water_sample(const struct water_model *model, const struct water_setup *setup, double time,
                   struct water_points *points);
+
+/* Fills a surface of any grid with the model's points at its vertices. */
+void water_fill(const struct water_model *model, const struct water_setup *setup, double time, struct surface *surface);
 
 /* The model's state, made where there is none yet. NULL where the model has none, or memory is short (logged). */
 void *water_state(const struct water_model *model, const struct water_setup *setup, const struct dpl_log *log);

@@ -1,0 +1,148 @@
+/* Water from pictures: heights that something else has made, in one picture or in numbered ones.
+ *
+ * 1. Between two pictures the heights go over in a straight line.
+ * 2. Between pixels they are bicubic (water/grid.h): slopes are continuous, and central differences at the pixels.
+ *
+ * A pixel is a vertex as in water/surface.h, so that what `dapple surface` writes is read back as it was. */
+#include "water/frames.h"
+#include "water/grid.h"
+#include "water/water.h"
+
+#include "base/log.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+extern const struct water_model water_heightfield;
+
+#define SIDE 512 /* vertices of the surface where caustics.mesh does not say */
+
+struct heightfield {
+    char file[DPL_PARAM_TEXT_SIZE];
+    double scale, offset;
+    bool periodic;
+    double rate;
+    int first;
+    bool loop;
+};
+
+static const struct dpl_param params[] = {
+    PARAM_TEXT(struct heightfield, file,
+               "picture of the heights, .png .exr .pfm, square; with %04d in its name: numbered pictures"),
+    PARAM_FLOAT(struct heightfield, scale, 1, -1000, 1000, "m",
+                "height that the value 1 of the red channel stands for"),
+    PARAM_FLOAT(struct heightfield, offset, 0, -1000, 1000, "m", "height of the value 0"),
+    PARAM_BOOL(struct heightfield, periodic, true, "the picture's edges join; no: it shows both edges of the water"),
+    PARAM_FLOAT(struct heightfield, rate, 30, 0.01, 1000, "1/s", "pictures a second"),
+    PARAM_INT(struct heightfield, first, 0, 0, 1000000, "", "number of the first picture, at time 0"),
+    PARAM_BOOL(struct heightfield, loop, false,
+               "the last picture goes over into the first, as always where the scene loops; no: it stays"),
+    PARAM_END,
+};
+
+struct state {
+    struct frames frames;
+    struct height_grid grid; /* now */
+    float *heights;          /* of the grid */
+    int side;                /* that there is room for */
+};
+
+static struct water_shape shape(const struct water_setup *setup)
+{
+    const struct heightfield *p = setup->params;
+    return (struct water_shape){.side = setup->mesh > 0 ? setup->mesh : SIDE, .periodic = p->periodic};
+}
+
+/* The two pictures around a time, and the share of the second. */
+struct moment {
+    int frames[2];
+    double share;
+};
+
+static struct moment moment_at(const struct water_setup *setup, int count, double time)
+{
+    const struct heightfield *p = setup->params;
+    bool loops = p->loop || setup->loop > 0;
+    double place = fmin(fmax(time * p->rate, 0), count - 1);
+    if (loops) {
+        double period = count / p->rate;
+        if (setup->loop > 0)
+            period = setup->loop / fmax(1, round(setup->loop / period));
+        place = (time / period - floor(time / period)) * count;
+    }
+    int frame = (int)fmin(floor(place), count - 1), next = frame + 1 < count ? frame + 1 : loops ? 0 : frame;
+    return (struct moment){{frame, next}, place - frame};
+}
+
+static bool make_room(struct state *state, const struct dpl_log *log)
+{
+    int side = state->frames.side;
+    if (state->side == side)
+        return true;
+    free(state->heights);
+    state->heights = base_allocate(log, (size_t)side * (size_t)side, sizeof *state->heights, "heights");
+    state->side = state->heights ? side : 0;
+    return state->heights;
+}
+
+static bool add_frame(struct state *state, int frame, double scale, const struct dpl_log *log)
+{
+    const float *values = frames_get(&state->frames, frame, log);
+    for (size_t i = 0; i < (size_t)state->side * (size_t)state->side && values; i++)
+        state->heights[i] += (float)scale * values[i];
+    return values;
+}
+
+static bool prepare(void *state_, const struct water_setup *setup, double time, const struct dpl_log *log)
+{
+    struct state *state = state_;
+    const struct heightfield *p = setup->params;
+    if (!frames_open(&state->frames, p->file, p->first, log) || !make_room(state, log))
+        return false;
+    struct moment moment = moment_at(setup, state->frames.count, time);
+    for (size_t i = 0; i < (size_t)state->side * (size_t)state->side; i++)
+        state->heights[i] = (float)p->offset;
+    state->grid = (struct height_grid){state->side, p->periodic, setup->size, state->heights};
+    return add_frame(state, moment.frames[0], p->scale * (1 - moment.share), log) &&
+           (!(moment.share > 0) || add_frame(state, moment.frames[1], p->scale * moment.share, log));
+}
+
+static const struct height_grid *grid_of(const struct water_setup *setup)
+{
+    return &((const struct state *)water_state(&water_heightfield, setup, NULL))->grid;
+}
+
+static void evaluate(const struct water_setup *setup, double time, struct surface *surface)
+{
+    (void)time; /* the state is of that time */
+    grid_fill(grid_of(setup), surface);
+}
+
+static void sample(const struct water_setup *setup, double time, struct water_points *points)
+{
+    (void)time;
+    grid_sample(grid_of(setup), points);
+}
+
+static void finish(void *state_, struct dpl_gl *gl)
+{
+    (void)gl;
+    struct state *state = state_;
+    frames_close(&state->frames);
+    free(state->heights);
+    *state = (struct state){0};
+}
+
+const struct water_model water_heightfield = {
+    .name = "heightfield",
+    .summary = "heights from a picture or numbered pictures on disk, in between smooth",
+    .source = "dapple",
+    .params = params,
+    .params_size = sizeof(struct heightfield),
+    .state_size = sizeof(struct state),
+    .shape = shape,
+    .prepare = prepare,
+    .evaluate = evaluate,
+    .sample = sample,
+    .finish = finish,
+};

@@ -1,0 +1,359 @@
+/* Random caustics against closed forms of wave theory and of their waves; loops that are played, from files too. */
+#include "support.h"
+
+#include "light/loop.h"
+#include "light/random_caustics.h"
+
+#include <math.h>
+#include <sys/stat.h>
+
+struct fixture {
+    struct support_log log;
+    struct dpl_renderer *renderer;
+    struct dpl_scene *scene;
+    char folder[64], path[128];
+};
+
+static int setup(void **state)
+{
+    struct fixture *fixture = calloc(1, sizeof *fixture);
+    support_log_start(&fixture->log);
+    fixture->renderer = dpl_renderer_create(NULL, DPL_DEVICE_CPU, &fixture->log.log);
+    fixture->scene = support_scene("[caustics]\ntechnique = precomputed\nmesh = 4\n"
+                                   "[precomputed]\nside = 32\nframes = 3\ncolors = 1\n",
+                                   &fixture->log.log);
+    support_folder_make(fixture->folder);
+    *state = fixture;
+    return 0;
+}
+
+static int teardown(void **state)
+{
+    struct fixture *fixture = *state;
+    dpl_renderer_destroy(fixture->renderer);
+    dpl_scene_destroy(fixture->scene);
+    support_folder_count(fixture->folder, true);
+    free(fixture);
+    return 0;
+}
+
+static struct dpl_image *map_of(struct fixture *fixture, double time)
+{
+    struct dpl_image *map = dpl_renderer_map(fixture->renderer, fixture->scene, time);
+    if (!map)
+        fail_msg("%s", fixture->log.text);
+    return map;
+}
+
+static bool same(struct dpl_image *a, struct dpl_image *b)
+{
+    assert_int_equal(a->width, b->width);
+    bool equal = !memcmp(a->pixels, b->pixels, (size_t)(a->width * a->height * 3) * sizeof(float));
+    dpl_image_destroy(a);
+    dpl_image_destroy(b);
+    return equal;
+}
+
+/* Between frames too, on maps finer and coarser than they are, side by side. */
+static void the_mean_is_1(void **state)
+{
+    static const int sides[] = {1, 7, 32, 97, 128};
+    struct fixture *fixture = *state;
+    for (int i = 0; i < 15; i++) {
+        support_set(fixture->scene, "caustics.map", "%d", sides[i % 5]);
+        support_set(fixture->scene, "precomputed.repeat", "%d", 1 + i / 5);
+        support_set(fixture->scene, "precomputed.colors", "%d", 1 + i % 2);
+        struct dpl_image *map = map_of(fixture, 0.37 * i);
+        double sum = 0;
+        for (int k = 0; k < map->width * map->height * 3; k++)
+            sum += (double)map->pixels[k];
+        assert_true(fabs(sum / (map->width * map->height * 3) - 1) < 2e-6);
+        dpl_image_destroy(map);
+    }
+}
+
+static void a_loop_ends_as_it_starts(void **state)
+{
+    struct fixture *fixture = *state;
+    support_set(fixture->scene, "precomputed.loop", "0.7");
+    assert_true(same(map_of(fixture, 0), map_of(fixture, 0.7)));
+    assert_true(same(map_of(fixture, 0), map_of(fixture, 0.7 * 3)));
+    assert_true(same(map_of(fixture, 0.2), map_of(fixture, 0.2 - 0.7)));
+    assert_false(same(map_of(fixture, 0), map_of(fixture, 0.35)));
+    support_set(fixture->scene, "scene.loop", "5");
+    assert_true(same(map_of(fixture, 0), map_of(fixture, 5)));
+    assert_false(same(map_of(fixture, 0), map_of(fixture, 0.7)));
+    support_set(fixture->scene, "precomputed.loop", "4"); /* is not looked at now */
+    assert_true(same(map_of(fixture, 1), map_of(fixture, 6)));
+}
+
+static const struct random_caustics_recipe recipe = {
+    .side = 64,
+    .frames = 16,
+    .seed = 1,
+    .colors = 1,
+    .tile = 4,
+    .loop = 4,
+    .correlation = 0.3,
+    .height = 0.02,
+    .depth = 1,
+    .ior = 4.0 / 3,
+};
+
+static void begin(struct random_caustics *caustics, const struct random_caustics_recipe *changed)
+{
+    assert_true(random_caustics_begin(caustics, changed, NULL));
+}
+
+/* The mean product of heights `shift` texels apart along both axes, of all frames. */
+static double covariance(struct random_caustics *caustics, int shift)
+{
+    int side = caustics->recipe.side;
+    double sum = 0;
+    for (int frame = 0; frame < caustics->recipe.frames; frame++) {
+        random_caustics_heights(caustics, frame);
+        for (int j = 0; j < side; j++)
+            for (int i = 0; i < side; i++)
+                sum += (double)caustics->heights[j * side + i] *
+                       (double)(caustics->heights[j * side + (i + shift) % side] +
+                                caustics->heights[(j + shift) % side * side + i]) /
+                       2;
+    }
+    return sum / side / side / caustics->recipe.frames;
+}
+
+static void heights_have_the_wanted_correlation(void **state)
+{
+    struct random_caustics caustics = {0};
+    (void)state;
+    begin(&caustics, &recipe);
+    for (int shift = 0; shift < 12; shift++) {
+        double wanted = exp(-pow(shift * recipe.tile / recipe.side / recipe.correlation, 2));
+        double found = covariance(&caustics, shift) / recipe.height / recipe.height;
+        if (fabs(found - wanted) > 0.03)
+            fail_msg("%d: %f (%f)", shift, found, wanted);
+    }
+    random_caustics_finish(&caustics);
+}
+
+/* The end of the loop is its start; a finer grid has the same waves; another seed has others. */
+static void waves_repeat_and_do_not_depend_on_the_grid(void **state)
+{
+    struct random_caustics coarse = {0}, fine = {0};
+    struct random_caustics_recipe finer = recipe;
+    (void)state;
+    finer.side = 2 * recipe.side;
+    begin(&coarse, &recipe);
+    begin(&fine, &finer);
+    random_caustics_heights(&coarse, recipe.frames);
+    random_caustics_heights(&fine, 0);
+    for (int j = 0; j < recipe.side; j++)
+        for (int i = 0; i < recipe.side; i++)
+            assert_true(fabs((double)(coarse.heights[j * recipe.side + i] - fine.heights[2 * (j * finer.side + i)])) <
+                        1e-4 * recipe.height);
+    finer.seed++;
+    float before = fine.heights[0];
+    begin(&fine, &finer);
+    random_caustics_heights(&fine, 0);
+    assert_true(fine.heights[0] != before);
+    random_caustics_finish(&coarse);
+    random_caustics_finish(&fine);
+}
+
+static double variance_of_light(struct random_caustics *caustics)
+{
+    int count = caustics->recipe.side * caustics->recipe.side;
+    float *light = calloc((size_t)count, sizeof *light);
+    double sum = 0, squares = 0;
+    for (int frame = 0; frame < caustics->recipe.frames; frame++) {
+        random_caustics_light(caustics, frame, light);
+        for (int i = 0; i < count; i++) {
+            sum += (double)light[i];
+            squares += pow((double)light[i], 2);
+        }
+    }
+    free(light);
+    sum /= (double)count * caustics->recipe.frames;
+    return squares / ((double)count * caustics->recipe.frames) / sum / sum - 1;
+}
+
+/* Weak scattering: a screen whose phases have the variance v and the correlation exp(-r²/ℓ²) gives, by the integral of
+ * 4 sin²(π λ z f²) over their spectrum, the scintillation index 2 v D²/(1 + D²), D = 2 λ z/(π ℓ²), λ in the water. */
+static void scintillation_is_that_of_weak_scattering(void **state)
+{
+    static const double depths[] = {1, 4, 12};
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        double found = 0;
+        struct random_caustics caustics = {0};
+        struct random_caustics_recipe weak = recipe;
+        weak.height = 0.001;
+        weak.wavelength = 0.02;
+        weak.depth = depths[i];
+        for (weak.seed = 1; weak.seed <= 3; weak.seed++) {
+            begin(&caustics, &weak);
+            found += variance_of_light(&caustics) / 3;
+        }
+        double phase = 2 * M_PI * (weak.ior - 1) * weak.height / weak.wavelength;
+        double d = 2 * weak.wavelength / weak.ior * weak.depth / (M_PI * weak.correlation * weak.correlation);
+        double wanted = 2 * phase * phase * d * d / (1 + d * d);
+        if (fabs(found / wanted - 1) > 0.03)
+            fail_msg("depth %g: %g (%g)", weak.depth, found, wanted);
+        random_caustics_finish(&caustics);
+    }
+}
+
+/* Just below the waves light gathers under crests as rays do: 1 - (1 - 1/n) depth Δh. */
+static void light_gathers_under_crests_as_rays_do(void **state)
+{
+    struct random_caustics caustics = {0};
+    struct random_caustics_recipe shallow = recipe;
+    int side = shallow.side = 128;
+    double spacing = shallow.tile / side, squares = 0, errors = 0;
+    float *light = calloc((size_t)(side * side), sizeof *light);
+    (void)state;
+    shallow.correlation = 0.5;
+    shallow.depth = 0.05;
+    begin(&caustics, &shallow);
+    random_caustics_light(&caustics, 3, light);
+    const float *h = caustics.heights;
+    for (int j = 0; j < side; j++) {
+        for (int i = 0; i < side; i++) {
+            double around = (double)(h[j * side + (i + 1) % side] + h[j * side + (i + side - 1) % side] +
+                                     h[(j + 1) % side * side + i] + h[(j + side - 1) % side * side + i]);
+            double bend = (around - 4 * (double)h[j * side + i]) / spacing / spacing;
+            double wanted = -(1 - 1 / shallow.ior) * shallow.depth * bend;
+            squares += wanted * wanted;
+            errors += pow((double)light[j * side + i] - 1 - wanted, 2);
+        }
+    }
+    assert_true(sqrt(squares) / side > 0.005);
+    if (sqrt(errors / squares) > 0.03)
+        fail_msg("off by %g", sqrt(errors / squares));
+    free(light);
+    random_caustics_finish(&caustics);
+}
+
+static struct dpl_image *picture(int width, int height, int number)
+{
+    struct dpl_image *image = dpl_image_create(width, height, NULL);
+    for (int i = 0; i < width * height * 3; i++)
+        image->pixels[i] = (float)(i * 7 % 31 + 10 * number);
+    return image;
+}
+
+static void save(struct fixture *fixture, const char *name, int width, int height, int number)
+{
+    struct dpl_image *image = picture(width, height, number);
+    snprintf(fixture->path, sizeof fixture->path, "%s/%s", fixture->folder, name);
+    assert_true(dpl_image_save(image, fixture->path, NULL, NULL));
+    dpl_image_destroy(image);
+}
+
+static void expect_pictures(struct fixture *fixture, int side)
+{
+    for (int frame = 0; frame < 3; frame++)
+        assert_true(same(map_of(fixture, 4.0 / 3 * frame), picture(side, side, frame)));
+    struct dpl_image *between = map_of(fixture, 2), *first = picture(side, side, 1);
+    for (int i = 0; i < side * side * 3; i++)
+        assert_true(fabs((double)(between->pixels[i] - first->pixels[i]) - 5) < 1e-4);
+    dpl_image_destroy(between);
+    dpl_image_destroy(first);
+}
+
+static void numbered_pictures_are_played(void **state)
+{
+    struct fixture *fixture = *state;
+    save(fixture, "2nd-map-9.exr", 6, 6, 0);
+    save(fixture, "2nd-map-10.exr", 6, 6, 1);
+    save(fixture, "2nd-map-11.exr", 6, 6, 2);
+    support_set(fixture->scene, "caustics.map", "6");
+    support_set(fixture->scene, "precomputed.files", "%s", fixture->folder);
+    expect_pictures(fixture, 6);
+    save(fixture, "other-1.exr", 2, 2, 0);
+    support_set(fixture->scene, "precomputed.files", "%s/2nd-map-%%04d.exr", fixture->folder);
+    expect_pictures(fixture, 6);
+    support_set(fixture->scene, "caustics.map", "12");
+    support_set(fixture->scene, "precomputed.repeat", "2");
+    struct dpl_image *map = map_of(fixture, 0), *tile = picture(6, 6, 0);
+    for (int j = 0; j < 12; j++)
+        for (int i = 0; i < 36; i++)
+            assert_true(map->pixels[j * 36 + i] == tile->pixels[j % 6 * 18 + i % 18]);
+    dpl_image_destroy(map);
+    dpl_image_destroy(tile);
+}
+
+static void expect_refusal(struct fixture *fixture, enum dpl_reason reason, const char *first, const char *second)
+{
+    assert_null(dpl_renderer_map(fixture->renderer, fixture->scene, 0));
+    EXPECT_ERROR(&fixture->log, reason, first, second);
+}
+
+static void spoil(struct fixture *fixture, float value)
+{
+    struct dpl_image *image = picture(6, 6, 0);
+    image->pixels[3 * (6 * 4 + 5) + 1] = value;
+    assert_true(dpl_image_save(image, fixture->path, NULL, NULL));
+    dpl_image_destroy(image);
+}
+
+static void broken_loops_are_refused_by_name(void **state)
+{
+    struct fixture *fixture = *state;
+    support_set(fixture->scene, "precomputed.files", "%s", fixture->folder);
+    expect_refusal(fixture, DPL_REASON_FILE_READ, fixture->folder, "no numbered pictures");
+    save(fixture, "a.pfm", 6, 6, 0); /* has no number: not of the loop */
+    save(fixture, "1.pfm", 6, 6, 0);
+    save(fixture, "3.pfm", 6, 6, 0);
+    expect_refusal(fixture, DPL_REASON_FILE_READ, fixture->folder, "2 is missing");
+    save(fixture, "2.png", 6, 6, 0);
+    expect_refusal(fixture, DPL_REASON_FILE_READ, fixture->folder, "several names");
+    unlink(fixture->path);
+    save(fixture, "01.pfm", 6, 6, 0);
+    expect_refusal(fixture, DPL_REASON_FILE_READ, fixture->folder, "1 is there twice");
+    unlink(fixture->path);
+    save(fixture, "2.pfm", 6, 5, 0);
+    expect_refusal(fixture, DPL_REASON_FILE_FORMAT, fixture->path, "6 × 5");
+    save(fixture, "2.pfm", 5, 5, 0);
+    expect_refusal(fixture, DPL_REASON_FILE_FORMAT, fixture->path, "accepted: 6");
+    spoil(fixture, NAN);
+    expect_refusal(fixture, DPL_REASON_FILE_FORMAT, fixture->path, "column 5, row 4: \"nan\"");
+    spoil(fixture, -1);
+    expect_refusal(fixture, DPL_REASON_FILE_FORMAT, fixture->path, "column 5, row 4: \"-1\"");
+    assert_int_equal(truncate(fixture->path, 100), 0);
+    expect_refusal(fixture, DPL_REASON_FILE_FORMAT, fixture->path, "bytes of values");
+    unlink(fixture->path);
+    assert_int_equal(mkdir(fixture->path, 0700), 0);
+    expect_refusal(fixture, DPL_REASON_FILE_READ, fixture->path, "not a regular file");
+    assert_int_equal(rmdir(fixture->path), 0);
+    save(fixture, "2.pfm", 6, 6, 0);
+    dpl_image_destroy(map_of(fixture, 0));
+}
+
+static void places_that_name_no_loop_are_refused(void **state)
+{
+    static const char *const places[] = {"/none-such/%d.png", "/none-such", "a%d%d.png", "%s", "%04", "%", "a.png"};
+    struct fixture *fixture = *state;
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+        support_set(fixture->scene, "precomputed.files", "%s", places[i]);
+        expect_refusal(fixture, DPL_REASON_FILE_READ, places[i], i == 0 ? "cannot be read" : "accepted");
+    }
+    support_set(fixture->scene, "precomputed.files", "");
+    dpl_image_destroy(map_of(fixture, 0));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(the_mean_is_1, setup, teardown),
+        cmocka_unit_test_setup_teardown(a_loop_ends_as_it_starts, setup, teardown),
+        cmocka_unit_test(heights_have_the_wanted_correlation),
+        cmocka_unit_test(waves_repeat_and_do_not_depend_on_the_grid),
+        cmocka_unit_test(scintillation_is_that_of_weak_scattering),
+        cmocka_unit_test(light_gathers_under_crests_as_rays_do),
+        cmocka_unit_test_setup_teardown(numbered_pictures_are_played, setup, teardown),
+        cmocka_unit_test_setup_teardown(broken_loops_are_refused_by_name, setup, teardown),
+        cmocka_unit_test_setup_teardown(places_that_name_no_loop_are_refused, setup, teardown),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
