@@ -1,5 +1,5 @@
-/* What rays meet in the pool of Wallace's "WebGL Water" (2011), and how it is lit. Lengths are in half sides of the pool, as in
- * his: x and z from -1 to 1, the rest surface at y = 0. The numbers without a name are his. */
+/* What rays meet in the pool of Wallace's "WebGL Water" (2011), and how it is lit. Lengths are in half sides of the
+ * pool, as in his: x and z from -1 to 1, the rest surface at y = 0. The numbers without a name are his. */
 #include "light/map.glsl"
 #include "water/surface.glsl"
 #include "optics/refraction.glsl"
@@ -94,8 +94,8 @@ float past_rim(vec3 point)
     return logistic(200.0 / (1.0 + 10.0 * (way.y - way.x)) * (leaves_at - rim));
 }
 
-/* The share that the sphere lets pass. His program keeps it in the caustic map, as it is on the floor; here it is that of the
- * point itself, and what stands between the sphere and the sun has none of its shadow. */
+/* The share that the sphere lets pass. His program keeps it in the caustic map, as it is on the floor; here it is that
+ * of the point itself, and what stands between the sphere and the sun has none of its shadow. */
 float past_sphere(vec3 point)
 {
     if (sphere_radius == 0.0)
@@ -106,7 +106,7 @@ float past_sphere(vec3 point)
     return mix(1.0, share, min(2.0 * along, 1.0));
 }
 
-/* What is left of the light from all around next to something that is `distance` of its sizes away, 1 where they touch. */
+/* What is left of the light from all around next to something that is `distance` of its sizes away; they touch at 1. */
 float nook(float distance, float power)
 {
     return 1.0 - 0.9 / pow(max(distance, 1.0), power);
@@ -154,8 +154,8 @@ vec3 sky_color(vec3 ray)
     return mix(ground, sky, smoothstep(-0.01, 0.01, ray.y));
 }
 
-/* The colour of what a ray from the water meets; where the ray goes down, `tint` of it. `spread`: of the pixel when it starts,
- * and for each unit of its way. */
+/* The colour of what a ray from the water meets; where the ray goes down, `tint` of it. `spread`: of the pixel when it
+ * starts, and for each unit of its way. */
 vec3 traced_color(vec3 origin, vec3 ray, vec3 tint, vec2 spread)
 {
     hit found = meet(origin, ray);

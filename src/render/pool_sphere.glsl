@@ -10,7 +10,8 @@ void main()
 {
     const ivec2 corners[6] = ivec2[6](ivec2(0, 0), ivec2(0, 1), ivec2(1, 0), ivec2(1, 0), ivec2(0, 1), ivec2(1, 1));
     int cell = gl_VertexID / 6;
-    vec2 angle = 3.14159265 / float(rings) * vec2(corners[gl_VertexID % 6] + ivec2(cell % (2 * rings), cell / (2 * rings)));
+    ivec2 corner = corners[gl_VertexID % 6] + ivec2(cell % (2 * rings), cell / (2 * rings));
+    vec2 angle = 3.14159265 / float(rings) * vec2(corner);
     point = sphere + sphere_radius * vec3(sin(angle.y) * cos(angle.x), cos(angle.y), sin(angle.y) * sin(angle.x));
     gl_Position = view_projection * vec4(point * half_side, 1.0);
 }
