@@ -77,10 +77,16 @@ static void every_light(struct fixture *fixture, void (*check)(struct fixture *f
     }
 }
 
+static const char *water_of(const struct fixture *fixture)
+{
+    return water_models[fixture->scene->medium.model]->name;
+}
+
 static void check_bytes(struct fixture *fixture)
 {
     struct dpl_image *first = map_of(fixture, 1.5), *other = map_of(fixture, 1.6), *again = map_of(fixture, 1.5);
-    assert_false(same(first, other));
+    if (strcmp(water_of(fixture), "heightfield")) /* one picture does not move */
+        assert_false(same(first, other));
     assert_true(same(first, again));
     dpl_image_destroy(again);
 #ifdef _OPENMP
@@ -117,12 +123,14 @@ static void check_map_or_refusal(struct fixture *fixture, const char *key)
     dpl_image_destroy(map);
 }
 
-/* Every number of the technique, the water and the map at both ends of its range; sides and counts stay
- * small. */
+/* Every number of the technique, the water and the map at both ends of its range; sides and counts stay small. On other
+ * water than the first its own numbers alone. */
 static void check_ends(struct fixture *fixture)
 {
     for (int i = 0; dpl_scene_section(fixture->scene, i).name; i++) {
         struct dpl_section section = dpl_scene_section(fixture->scene, i);
+        if (fixture->scene->medium.model > 0 && strcmp(section.name, water_of(fixture)))
+            continue;
         for (const struct dpl_param *param = section.params; section.active && param->name; param++) {
             bool number = param->count == 1 && (param->type == DPL_PARAM_FLOAT || param->type == DPL_PARAM_INT);
             bool large = param->type == DPL_PARAM_INT && param->maximum > 200;
@@ -243,7 +251,7 @@ static void without_opengl_there_is_no_picture(void **state)
     assert_null(dpl_renderer_thumbnail(fixture->renderer, 0).name);
     struct dpl_image *surface = dpl_renderer_surface(fixture->renderer, fixture->scene, 0);
     assert_non_null(surface);
-    assert_int_equal(surface->width, 64);
+    assert_int_equal(surface->width, 40);
     dpl_image_destroy(surface);
     dpl_renderer_destroy(NULL);
     assert_int_equal(fixture->log.errors, 0);
