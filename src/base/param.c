@@ -74,10 +74,10 @@ static bool parse_numbers(const struct dpl_param *param, void *value, const char
         numbers[i] = strtod(rest, &end);
         if (end == rest)
             return reject(param, DPL_REASON_VALUE, where, i ? "too few numbers" : "not a number", text, log);
+        if (param->type == DPL_PARAM_INT && isfinite(numbers[i]) && numbers[i] != floor(numbers[i]))
+            return reject(param, DPL_REASON_VALUE, where, "not a whole number", text, log);
         if (!isfinite(numbers[i]) || numbers[i] < param->minimum || numbers[i] > param->maximum)
             return reject(param, DPL_REASON_RANGE, where, "out of range", text, log);
-        if (param->type == DPL_PARAM_INT && numbers[i] != floor(numbers[i]))
-            return reject(param, DPL_REASON_VALUE, where, "not a whole number", text, log);
         rest = end + strspn(end, " \t,");
     }
     if (*rest)
