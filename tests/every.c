@@ -1,4 +1,4 @@
-/* Every technique on every water, and every look: what is true of all that the lists hold. */
+/* Every technique on every water: what is true of all pairs that the lists hold. */
 #include "support.h"
 
 #include "light/light.h"

@@ -4,9 +4,20 @@
 
 #include <stdlib.h>
 
-extern const struct light_technique light_coverage, light_wavefront, light_photons, light_beams, light_hemisphere, light_multi_sample, light_vertex_ray, light_pixel_ray, light_precomputed, light_reference;
+extern const struct light_technique light_coverage, light_wavefront, light_photons, light_beams, light_hemisphere,
+    light_multi_sample, light_vertex_ray, light_pixel_ray, light_precomputed, light_reference;
 
-const struct light_technique *const light_techniques[] = {&light_coverage, &light_wavefront, &light_photons, &light_beams, &light_hemisphere, &light_multi_sample, &light_vertex_ray, &light_pixel_ray, &light_precomputed, &light_reference, NULL};
+const struct light_technique *const light_techniques[] = {&light_coverage,
+                                                          &light_wavefront,
+                                                          &light_photons,
+                                                          &light_beams,
+                                                          &light_hemisphere,
+                                                          &light_multi_sample,
+                                                          &light_vertex_ray,
+                                                          &light_pixel_ray,
+                                                          &light_precomputed,
+                                                          &light_reference,
+                                                          NULL};
 
 const char *light_technique_name(int i)
 {

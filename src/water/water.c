@@ -5,9 +5,11 @@
 #include <math.h>
 #include <stdlib.h>
 
-extern const struct water_model water_sines, water_ocean, water_ripples, water_fbm, water_heightfield, water_collard, water_sum;
+extern const struct water_model water_sines, water_ocean, water_ripples, water_fbm, water_heightfield, water_collard,
+    water_sum;
 
-const struct water_model *const water_models[] = {&water_sines, &water_ocean, &water_ripples, &water_fbm, &water_heightfield, &water_collard, &water_sum, NULL};
+const struct water_model *const water_models[] = {&water_sines,       &water_ocean,   &water_ripples, &water_fbm,
+                                                  &water_heightfield, &water_collard, &water_sum,     NULL};
 
 /* The sum comes last: it adds up those before it. */
 const char *water_model_name(int i)
