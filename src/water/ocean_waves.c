@@ -222,7 +222,7 @@ static void place_pair(const struct ocean_state *state, int pair, float (*grid)[
 
 void ocean_waves_transform(struct ocean_state *state)
 {
-#pragma omp critical(ocean)
+#pragma omp critical /* without a name of its own, which the library would export */
     if (!state->grids_ready) {
         ocean_waves_move(state);
         for (int pair = 0; pair < state->pairs; pair++) {
