@@ -30,8 +30,12 @@ static void list_text(const struct list *list)
         struct dpl_entry entry = list->entry(i);
         printf("%-14s %s\n", entry.name, entry.summary);
         if (entry.source)
-            printf("%-14s (%s)%s%s%s\n", "", entry.source, entry.physical ? "; physical" : "",
-                   entry.reflects ? "; also light thrown back" : "", entry.refines ? "; refines step by step" : "");
+            printf("%-14s (%s)%s", "", entry.source, entry.physical ? "; physical" : "");
+        if (entry.energy > 0)
+            printf(", its mean within %g %%", entry.energy * 100);
+        if (entry.source)
+            printf("%s%s\n", entry.reflects ? "; also light thrown back" : "",
+                   entry.refines ? "; refines step by step" : "");
     }
 }
 
@@ -49,6 +53,8 @@ static void list_json(const struct list *list)
             json_text(&json, "source", entry.source);
         if (list->entry == dpl_technique) {
             json_bool(&json, "physical", entry.physical);
+            if (entry.physical)
+                json_number(&json, "energy", entry.energy);
             json_bool(&json, "reflects", entry.reflects);
             json_bool(&json, "refines", entry.refines);
         }

@@ -60,6 +60,7 @@ struct dpl_entry {
     const char *name, *summary, *source;
     /* Of a technique: */
     bool physical; /* its map is irradiance in units of what flat water would give; else it is tuned by eye */
+    double energy; /* of a physical one: how far, at its defaults, the mean of a periodic map may be off, a share */
     bool reflects; /* serves a ceiling above the water too */
     bool refines;  /* its map gets better step by step: see dpl_renderer_progress() */
     /* Of a water model: */

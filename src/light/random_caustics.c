@@ -16,11 +16,11 @@
 #include "base/random.h"
 #include "base/sine.h"
 #include "base/vector.h"
+#include "water/water.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#define GRAVITY 9.81     /* m/s² */
 #define COLOR_RANGE 1.75 /* longest wavelength to shortest, of light that the eye sees */
 
 /* The frequency at place i of an axis, in waves across the tile. */
@@ -60,7 +60,7 @@ static void make_waves(struct random_caustics *caustics)
             sum += power;
             caustics->amplitudes[place] = (float)sqrt(power);
             caustics->phases[place] = random_phase(recipe->seed, x, z);
-            caustics->turns[place] = (float)fmax(round(sqrt(GRAVITY * k) / (2 * M_PI) * recipe->loop), 1);
+            caustics->turns[place] = (float)fmax(round(sqrt(WATER_GRAVITY * k) / (2 * M_PI) * recipe->loop), 1);
         }
     }
     float scale = sum > 0 ? (float)(recipe->height * sqrt(2 / sum)) : 0;

@@ -229,6 +229,7 @@ struct dpl_entry dpl_technique(int index)
                                           .summary = technique->summary,
                                           .source = technique->source,
                                           .physical = technique->physical,
+                                          .energy = technique->energy,
                                           .reflects = technique->reflects,
                                           .refines = technique->refines}
                      : (struct dpl_entry){0};

@@ -6,21 +6,20 @@
 
 #include <math.h>
 
-#define GRAVITY 9.81    /* m/s² */
 #define PHILLIPS 0.0081 /* Phillips' constant (1958) */
 
 double ocean_frequency(double k, double depth, double *group)
 {
-    double deep = tanh(k * depth), frequency = sqrt(GRAVITY * k * deep);
+    double deep = tanh(k * depth), frequency = sqrt(WATER_GRAVITY * k * deep);
     if (group)
-        *group = frequency > 0 ? GRAVITY * (deep + k * depth * (1 - deep * deep)) / (2 * frequency) : 0;
+        *group = frequency > 0 ? WATER_GRAVITY * (deep + k * depth * (1 - deep * deep)) / (2 * frequency) : 0;
     return frequency;
 }
 
 /* Frequency at which a young sea has most energy (Hasselmann et al. 1973). */
 static double peak_frequency(const struct ocean *ocean)
 {
-    return 22 * cbrt(GRAVITY * GRAVITY / (ocean->wind_speed * ocean->fetch));
+    return 22 * cbrt(WATER_GRAVITY * WATER_GRAVITY / (ocean->wind_speed * ocean->fetch));
 }
 
 /* JONSWAP, m²s (Hasselmann et al. 1973): fetch and wind fix the energy and the peak. */
@@ -29,9 +28,9 @@ static double jonswap(const struct ocean *ocean, double frequency)
     double peak = peak_frequency(ocean), lower = pow(peak / frequency, 4);
     if (!(lower < 500)) /* the exponential below is 0 */
         return 0;
-    double alpha = 0.076 * pow(ocean->wind_speed * ocean->wind_speed / (GRAVITY * ocean->fetch), 0.22);
+    double alpha = 0.076 * pow(ocean->wind_speed * ocean->wind_speed / (WATER_GRAVITY * ocean->fetch), 0.22);
     double width = frequency <= peak ? 0.07 : 0.09, off = (frequency / peak - 1) / width;
-    return alpha * GRAVITY * GRAVITY / pow(frequency, 5) * exp(-1.25 * lower) *
+    return alpha * WATER_GRAVITY * WATER_GRAVITY / pow(frequency, 5) * exp(-1.25 * lower) *
            pow(ocean->peak_enhancement, exp(-0.5 * off * off));
 }
 
@@ -61,7 +60,7 @@ static double direction_share(const struct ocean *ocean, double frequency, doubl
  * angle to the wind, of which the half that runs against it is left out. */
 static double phillips(const struct ocean *ocean, double k, double angle)
 {
-    double longest = ocean->wind_speed * ocean->wind_speed / GRAVITY, along = cos(angle);
+    double longest = ocean->wind_speed * ocean->wind_speed / WATER_GRAVITY, along = cos(angle);
     if (along <= 0)
         return 0;
     return PHILLIPS / 2 / pow(k, 4) * exp(-1 / pow(k * longest, 2)) * 2 / M_PI * along * along;

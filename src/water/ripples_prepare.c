@@ -21,7 +21,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define GRAVITY 9.81      /* m/s² */
 #define DEMO_GRAVITY 4    /* half sides of the pool / s² */
 #define DEMO_RATE 120     /* steps a second */
 #define LIFE_MAX 14400    /* steps; with little damping, or on a large grid, waves end before they are spent */
@@ -78,7 +77,7 @@ static double rate_of(const struct water_setup *setup)
     if (ripples->speed == RIPPLES_DEMO)
         return DEMO_RATE;
     double speed =
-        ripples->speed == RIPPLES_GIVEN ? ripples->wave_speed : sqrt(GRAVITY * fmax(setup->depth, SHALLOWEST));
+        ripples->speed == RIPPLES_GIVEN ? ripples->wave_speed : sqrt(WATER_GRAVITY * fmax(setup->depth, SHALLOWEST));
     return speed / (spacing * M_SQRT1_2);
 }
 
@@ -224,7 +223,7 @@ static bool resize(struct ripples_state *state, const struct water_setup *setup,
         if (!state->shown)
             return false;
     }
-    double gravity = ripples->speed == RIPPLES_DEMO ? DEMO_GRAVITY * setup->size / 2 : GRAVITY;
+    double gravity = ripples->speed == RIPPLES_DEMO ? DEMO_GRAVITY * setup->size / 2 : WATER_GRAVITY;
     for (int i = 0; i < 2; i++) {
         struct tank *tank = i ? &state->next_tank : &state->tank;
         tank->spacing = setup->size / (side - 1);

@@ -19,7 +19,6 @@
 
 #include <math.h>
 
-#define GRAVITY 9.81     /* m/s² */
 #define PERIOD_MIN 0.001 /* s; keeps time / period finite */
 #define AREA_MIN 1e-4    /* det J at which the slopes of a cusp end */
 
@@ -38,7 +37,7 @@ static double period_of(const struct wave *wave, const struct water_setup *setup
     double k = 2 * M_PI * hypot(wave->cycles[0], wave->cycles[1]) / setup->size;
     double period = wave->period;
     if (period == 0 && k > 0)
-        period = 2 * M_PI / sqrt(GRAVITY * k * tanh(k * setup->depth));
+        period = 2 * M_PI / sqrt(WATER_GRAVITY * k * tanh(k * setup->depth));
     if (period > 0 && setup->loop > 0)
         period = setup->loop / fmax(1, round(setup->loop / period));
     return period > 0 ? fmax(period, PERIOD_MIN) : 0;

@@ -8,6 +8,7 @@
 #include "gpu/texture.h"
 #include "water/surface.h"
 
+#define WATER_GRAVITY 9.81 /* m/s² */
 #define WATER_MODELS_MAX 16
 #define WATER_WAVES_MAX 64
 #define WATER_CONSTANTS_MAX 128 /* vec4 constants of a model's shader */
