@@ -17,8 +17,8 @@ struct frame {
     const struct surface_gpu *surface;
     const struct gpu_texture *map;    /* the caustic maps; see light/map_texture.h */
     const struct ray_window *windows; /* that they show */
-    const struct gpu_texture *sand;
-    float view_projection[16]; /* columns; world to clip space */
+    const struct gpu_texture *sand;   /* of looks that ask for it */
+    float view_projection[16];        /* columns; world to clip space */
     struct camera_rays rays;
     struct gpu_timer *timer;
 };

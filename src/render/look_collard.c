@@ -115,6 +115,7 @@ const struct scene_look look_collard = {
     .params = params,
     .params_size = sizeof(struct look),
     .state_size = sizeof(struct state),
+    .sand = true,
     .prepare = prepare,
     .draw = draw,
     .finish = finish,

@@ -87,6 +87,7 @@ const struct scene_look look_fourier = {
     .params = params,
     .params_size = sizeof(struct look),
     .state_size = sizeof(struct state),
+    .sand = true,
     .prepare = prepare,
     .draw = draw,
     .finish = finish,

@@ -179,7 +179,7 @@ static bool draw_frame(struct dpl_renderer *renderer, const struct dpl_scene *sc
     bool compares = renderer->compare.mode != DPL_COMPARE_NOTHING;
     renderer->compared = false;
     if (!lighting_make(&renderer->lighting, scene, time, compares ? renderer->compare.technique : -1, true) ||
-        !sand_update(gl, &renderer->sand, scene) ||
+        (scene_looks[scene->render.look]->sand && !sand_update(gl, &renderer->sand, scene)) ||
         !target_resize(gl, &renderer->target, width, height, scene->render.samples))
         return false;
     renderer->compared = compares;

@@ -17,6 +17,7 @@ struct scene_look {
     const struct dpl_param *params; /* ends with PARAM_END */
     size_t params_size;
     size_t state_size; /* kept between frames, starts zeroed */
+    bool sand;         /* draws the floor with frame.sand */
 
     /* Readies programs, and textures that draw() needs. */
     bool (*prepare)(void *state, const struct frame *frame);
