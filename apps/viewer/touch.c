@@ -81,14 +81,15 @@ static bool refract(const struct dpl_scene *scene, struct camera_ray *ray, doubl
     return true;
 }
 
+/* True where a model that can be disturbed makes the water, alone or with another. */
 static bool can_disturb(const struct dpl_scene *scene)
 {
-    char name[64];
-    if (!dpl_scene_get(scene, "water.model", name, sizeof name))
-        return false;
-    for (int i = 0; dpl_water_model(i).name; i++)
-        if (!strcmp(dpl_water_model(i).name, name))
-            return dpl_water_model(i).disturbed;
+    for (int i = 0; dpl_scene_section(scene, i).name; i++) {
+        struct dpl_section section = dpl_scene_section(scene, i);
+        for (int w = 0; section.active && dpl_water_model(w).name; w++)
+            if (dpl_water_model(w).disturbed && !strcmp(dpl_water_model(w).name, section.name))
+                return true;
+    }
     return false;
 }
 

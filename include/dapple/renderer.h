@@ -68,8 +68,9 @@ DPL_API struct dpl_image *dpl_renderer_picture(struct dpl_renderer *renderer, co
                                                double time, int width, int height);
 
 /* Has a drop fall into the water of the next frame, where its model can be disturbed (`ripples`): the surface moves by
- * `height` metres (up, or down where it is negative) at (x, z), and less and less up to `radius` metres around. */
-DPL_API void dpl_renderer_drop(struct dpl_renderer *renderer, double x, double z, double radius, double height);
+ * `height` metres (up, or down where it is negative) at (x, z), and less and less up to `radius` metres around. False
+ * where a number is not finite or the radius not above 0, or where too many drops wait already (64). */
+DPL_API bool dpl_renderer_drop(struct dpl_renderer *renderer, double x, double z, double radius, double height);
 
 /* Where the middle of the scene's sphere (`[sphere]`) was in the last picture; false where it had none. */
 DPL_API bool dpl_renderer_sphere(const struct dpl_renderer *renderer, double center[3]);

@@ -8,10 +8,13 @@ uniform int cells;    /* a side of the surface */
 uniform int periodic;
 uniform float unit;   /* whole numbers in 1 */
 
+/* What a cell adds to a texel, at most: sums of a few such do not turn negative. */
+const float MOST = 67108864.0;
+
 void add(image i, ivec2 texel, vec2 place)
 {
     vec3 sum = light_on(i.upper, place) + light_on(i.lower, place);
-    ivec3 whole = ivec3(round(sum * unit));
+    ivec3 whole = ivec3(round(min(sum * unit, MOST)));
     int at = (texel.y * side + texel.x) * 3;
     if (whole.x != 0)
         atomicAdd(light[at], whole.x);

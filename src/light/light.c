@@ -18,6 +18,8 @@ const struct light_technique *const light_techniques[] = {&light_coverage,
                                                           &light_precomputed,
                                                           &light_reference,
                                                           NULL};
+_Static_assert(sizeof light_techniques / sizeof *light_techniques - 1 <= LIGHT_TECHNIQUES_MAX,
+               "room for the state of each");
 
 const char *light_technique_name(int i)
 {

@@ -18,6 +18,7 @@
 #define LIGHT_MAP_MAX 8192  /* texels a side */
 #define LIGHT_MESH_MAX 4096 /* vertices a side */
 #define LIGHT_SLICES_MAX 64
+#define LIGHT_TECHNIQUES_MAX 16
 
 /* Section [caustics]: what every technique may need to know. */
 enum light_window { LIGHT_WINDOW_TILE, LIGHT_WINDOW_LIGHT };

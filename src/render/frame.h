@@ -15,6 +15,7 @@ struct frame {
     double sphere[3];                /* m, the middle of the scene's sphere now */
     const struct water_setup *setup; /* of the scene's water model */
     const struct surface_gpu *surface;
+    const struct surface_gpu *above;  /* the same as it is straight above each place: without shifts, if it is choppy */
     const struct gpu_texture *map;    /* the caustic maps; see light/map_texture.h */
     const struct ray_window *windows; /* that they show */
     const struct gpu_texture *sand;   /* of looks that ask for it */

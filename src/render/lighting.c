@@ -21,10 +21,13 @@ static const char *const passes[LIT_MAPS][PASSES] = {
     {"other light", "other blur", "other upload", "other mipmaps"},
 };
 
-void lighting_drop(struct lighting *lighting, struct water_drop drop)
+bool lighting_drop(struct lighting *lighting, struct water_drop drop)
 {
-    if (lighting->drop_count < LIGHTING_DROPS_MAX)
-        lighting->drops[lighting->drop_count++] = drop;
+    if (lighting->drop_count == LIGHTING_DROPS_MAX)
+        return base_fail(lighting->log, DPL_REASON_LIMIT, "drop: too many wait for the next frame (at most %d)",
+                         LIGHTING_DROPS_MAX);
+    lighting->drops[lighting->drop_count++] = drop;
+    return true;
 }
 
 /* Where the light is computed: on the CPU where asked, where OpenGL cannot, or where OpenGL itself runs there. */
@@ -177,22 +180,9 @@ static bool draw_light(struct lighting *lighting, const struct task *task)
     return blur_draw(&lighting->blur, lighting->gl, &lit->texture, task->blur, &lit->blurred);
 }
 
-/* The surface as a technique that looks straight up sees it. */
-static bool flatten(struct lighting *lighting, const struct task *task)
-{
-    const struct water_model *model = water_models[task->scene->medium.model];
-    if (!task->technique->vertical || !model->shape(&lighting->setup).choppy)
-        return true;
-    timer_pass(lighting->timer, task->passes[PASS_LIGHT]);
-    return task->lit->on_cpu ? surface_flatten(&lighting->surface, &lighting->flat, lighting->log)
-                             : surface_gpu_flatten(lighting->gl, &lighting->surface_gpu, &lighting->flat_gpu);
-}
-
 static bool make_map(struct lighting *lighting, const struct task *task)
 {
     struct lit_map *lit = task->lit;
-    if (!flatten(lighting, task))
-        return false;
     if (lit->on_cpu ? !trace_light(lighting, task) : !draw_light(lighting, task))
         return false;
     if (task->texture && lit->on_cpu) {
@@ -217,11 +207,26 @@ static bool check_technique(const struct lighting *lighting, const struct dpl_sc
                      scene->caustics.ceiling);
 }
 
+/* Choppy water as who looks straight up sees it. */
+static bool flatten(struct lighting *lighting, const struct dpl_scene *scene, bool on_cpu, bool on_gpu)
+{
+    if (!water_models[scene->medium.model]->shape(&lighting->setup).choppy)
+        return true;
+    return (!on_cpu || surface_flatten(&lighting->surface, &lighting->flat, lighting->log)) &&
+           (!on_gpu || surface_gpu_flatten(lighting->gl, &lighting->surface_gpu, &lighting->flat_gpu));
+}
+
+const struct surface_gpu *lighting_above(const struct lighting *lighting)
+{
+    return lighting->surface_gpu.choppy ? &lighting->flat_gpu : &lighting->surface_gpu;
+}
+
 bool lighting_make(struct lighting *lighting, const struct dpl_scene *scene, double time, int other, bool textures)
 {
     const int techniques[LIT_MAPS] = {scene->caustics.technique, other}, count = other < 0 ? 1 : LIT_MAPS;
     struct task tasks[LIT_MAPS];
-    bool cpu_surface = false, gpu_surface = textures, ok = check_side(lighting, "caustics.map", scene->caustics.map);
+    bool cpu_surface = false, gpu_surface = textures, cpu_flat = false, gpu_flat = textures;
+    bool ok = check_side(lighting, "caustics.map", scene->caustics.map);
     for (int i = 0; i < count; i++) {
         const struct light_technique *technique = light_techniques[techniques[i]];
         /* What a technique is measured against is the truth, and the truth is not blurred. */
@@ -232,9 +237,12 @@ bool lighting_make(struct lighting *lighting, const struct dpl_scene *scene, dou
         tasks[i] = (struct task){scene, time, technique, lit, blur, passes[i], textures};
         cpu_surface = cpu_surface || (lit->on_cpu && !technique->refines);
         gpu_surface = gpu_surface || !lit->on_cpu;
+        cpu_flat = cpu_flat || (technique->vertical && lit->on_cpu);
+        gpu_flat = gpu_flat || (technique->vertical && !lit->on_cpu);
         ok = ok && check_technique(lighting, scene, technique);
     }
-    ok = ok && make_surface(lighting, scene, time, cpu_surface, gpu_surface);
+    ok = ok && make_surface(lighting, scene, time, cpu_surface, gpu_surface) &&
+         flatten(lighting, scene, cpu_flat, gpu_flat);
     for (int i = 0; i < count; i++)
         ok = ok && make_map(lighting, tasks + i);
     return ok;

@@ -37,13 +37,13 @@ struct lighting {
     struct ray_window windows[LIGHT_SLICES_MAX];
     struct surface surface, flat; /* flat: as techniques that look straight up see choppy water */
     struct surface_gpu surface_gpu, flat_gpu;
-    void *technique_states[SCENE_TECHNIQUES_MAX]; /* made when first used */
+    void *technique_states[LIGHT_TECHNIQUES_MAX]; /* made when first used */
     struct light_blur blur;
     struct lit_map maps[LIT_MAPS];
 };
 
-/* Has a drop fall into the water of the next frame; one too many is lost. */
-void lighting_drop(struct lighting *lighting, struct water_drop drop);
+/* Has a drop fall into the water of the next frame. False: too many wait already. */
+bool lighting_drop(struct lighting *lighting, struct water_drop drop);
 
 /* Makes the surface into `surface`, wherever it is computed. */
 bool lighting_make_surface(struct lighting *lighting, const struct dpl_scene *scene, double time);
@@ -51,6 +51,9 @@ bool lighting_make_surface(struct lighting *lighting, const struct dpl_scene *sc
 /* Makes the surface and the maps of the scene's technique, and of `other` (-1: none). `textures`: the GPU needs them
  * all, to draw a picture with. */
 bool lighting_make(struct lighting *lighting, const struct dpl_scene *scene, double time, int other, bool textures);
+
+/* The surface on the GPU as it is straight above each place, after textures were made. */
+const struct surface_gpu *lighting_above(const struct lighting *lighting);
 
 /* A finished map as a new image. */
 struct dpl_image *lighting_image(struct lighting *lighting, struct lit_map *lit, int slice);

@@ -54,7 +54,7 @@ static void draw(void *state_, const struct frame *frame)
         float constants[WATER_CONSTANTS_MAX][4];
         program_vec4s(gl, program, "series", water_fbm.constants(frame->setup, frame->time, constants), constants[0]);
     } else {
-        surface_gpu_bind(gl, frame->surface, program, 0);
+        surface_gpu_bind(gl, frame->above, program, 0);
     }
     texture_bind(gl, frame->sand, 1);
     program_int(gl, program, "sand", 1);

@@ -154,10 +154,13 @@ static void draw_water(struct state *state, const struct frame *frame)
     water_mesh_draw(&state->mesh, frame, program, UNIT_SURFACE, middle);
 }
 
-static void draw(void *state_, const struct frame *frame)
+/* Rays ask for the water at places, so it is drawn as it is there too. */
+static void draw(void *state_, const struct frame *moving)
 {
     struct state *state = state_;
+    struct frame still = *moving, *frame = &still;
     struct dpl_gl *gl = frame->gl;
+    still.surface = moving->above;
     timer_pass(frame->timer, "room");
     use(state, frame, &state->sky);
     gl->DrawArrays(GL_TRIANGLES, 0, 6 * 6);

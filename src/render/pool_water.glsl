@@ -12,7 +12,7 @@ out vec4 color;
 /* The unit normal, read five steps along its own lean, which peaks the crests. */
 vec3 sharpened_normal()
 {
-    vec2 xz = rest;
+    vec2 xz = position.xz;
     vec3 up = vec3(0.0, 1.0, 0.0);
     for (int look = 0; look <= 5; look++) {
         vec2 slopes = surface_between(xz).yz;
@@ -20,13 +20,6 @@ vec3 sharpened_normal()
         xz += sharpening * surface_size * up.xz;
     }
     return up;
-}
-
-/* Snell's law out of the water, as GLSL's refract(): (0, 0, 0) where nothing gets out. */
-vec3 refract_out(vec3 ray, vec3 normal)
-{
-    float cosine = -dot(ray, normal), square = 1.0 - ior * ior * (1.0 - cosine * cosine);
-    return square < 0.0 ? vec3(0.0) : ior * ray + (ior * cosine - sqrt(square)) * normal;
 }
 
 void main()
@@ -39,9 +32,9 @@ void main()
     float angle = max(length(dFdx(ray)), length(dFdy(ray)));
     vec2 spread = angle * vec2(length(view) / half_side, 1.0);
     vec3 back = optics_reflect(-ray, normal);
-    vec3 through = below ? refract_out(ray, normal) : optics_refract(-ray, normal, ior);
+    vec3 through = optics_refract(-ray, normal, ior);
     float share = mix(below ? reflected_below : reflected_above, 1.0, pow(1.0 - cosine, 3.0));
-    if (through == vec3(0.0))
+    if (below && !optics_refract_out(ray, up, ior, through))
         share = 1.0;
     vec3 thrown = traced_color(position / half_side, back, below ? tint_below : tint_above, spread);
     vec3 passed = traced_color(position / half_side, through, below ? vec3(1.0) : tint_above, spread);

@@ -190,6 +190,7 @@ static bool draw_frame(struct dpl_renderer *renderer, const struct dpl_scene *sc
         .time = time,
         .setup = &renderer->lighting.setup,
         .surface = &renderer->lighting.surface_gpu,
+        .above = lighting_above(&renderer->lighting),
         .windows = renderer->lighting.windows,
         .sand = &renderer->sand.color,
         .timer = &renderer->timer,
@@ -244,9 +245,13 @@ struct dpl_image *dpl_renderer_picture(struct dpl_renderer *renderer, const stru
     return leave_with_image(renderer, ok ? read_picture(renderer) : NULL);
 }
 
-void dpl_renderer_drop(struct dpl_renderer *renderer, double x, double z, double radius, double height)
+bool dpl_renderer_drop(struct dpl_renderer *renderer, double x, double z, double radius, double height)
 {
-    lighting_drop(&renderer->lighting, (struct water_drop){x, z, radius, height});
+    if (!isfinite(x) || !isfinite(z) || !isfinite(height) || !isfinite(radius) || !(radius > 0))
+        return base_fail(renderer->log, DPL_REASON_RANGE,
+                         "drop: not finite, or no radius: \"%g %g %g %g\" (accepted: finite numbers, a radius above 0)",
+                         x, z, radius, height);
+    return lighting_drop(&renderer->lighting, (struct water_drop){x, z, radius, height});
 }
 
 bool dpl_renderer_sphere(const struct dpl_renderer *renderer, double center[3])

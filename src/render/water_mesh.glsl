@@ -8,7 +8,6 @@ uniform int columns; /* vertices in a row of the mesh, the repeated edge of a pe
 uniform int stride;  /* from one of its vertices to the next on the surface; the last one is always there */
 uniform int swapped; /* rows follow each other along x */
 out vec3 position, normal;
-out vec2 rest; /* m, x and z of the point at rest */
 
 void main()
 {
@@ -17,13 +16,11 @@ void main()
     if (swapped != 0)
         vertex = vertex.yx;
     vec3 texel = surface_vertex(vertex);
-    rest = vec2(vertex) * surface_spacing() - 0.5 * surface_size;
-    vec2 xz = rest + surface_shift(vertex);
+    vec2 xz = vec2(vertex) * surface_spacing() - 0.5 * surface_size + surface_shift(vertex);
     position = vec3(xz.x, texel.x, xz.y) + tile;
     normal = normalize(vec3(-texel.y, 1.0, -texel.z));
     gl_Position = view_projection * vec4(position, 1.0);
 }
 #else
 in vec3 position, normal;
-in vec2 rest;
 #endif

@@ -7,8 +7,6 @@
 #include "scene/look.h"
 #include "water/water.h"
 
-#define SCENE_TECHNIQUES_MAX 16
-
 struct scene_settings {
     double size, depth, loop;
     int seed;
@@ -43,7 +41,7 @@ struct dpl_scene {
     struct scene_floor floor;
     struct scene_render render;
     void *model_params[WATER_MODELS_MAX];         /* as water_models; NULL: it has none */
-    void *technique_params[SCENE_TECHNIQUES_MAX]; /* as light_techniques */
+    void *technique_params[LIGHT_TECHNIQUES_MAX]; /* as light_techniques */
     void *look_params[SCENE_LOOKS_MAX];           /* as scene_looks */
     struct wave waves[WATER_WAVES_MAX];           /* [wave.N] is entry N - 1 */
     bool wave_present[WATER_WAVES_MAX];

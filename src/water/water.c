@@ -10,6 +10,7 @@ extern const struct water_model water_sines, water_ocean, water_ripples, water_f
 
 const struct water_model *const water_models[] = {&water_sines,       &water_ocean,   &water_ripples, &water_fbm,
                                                   &water_heightfield, &water_collard, &water_sum,     NULL};
+_Static_assert(sizeof water_models / sizeof *water_models - 1 <= WATER_MODELS_MAX, "room for the state of each");
 
 /* The sum comes last: it adds up those before it. */
 const char *water_model_name(int i)
