@@ -36,7 +36,8 @@ static const char *const scenes[] = {
     "[water]\nmodel = heightfield\n[caustics]\nmesh = 24\n[heightfield]\nfile = " PICTURES "\nscale = 0.1\nrate = 2\n",
     "[scene]\nloop = 7\n[water]\nmodel = heightfield\n[caustics]\nmesh = 37\n"
     "[heightfield]\nfile = " PICTURES "\noffset = -0.05\nperiodic = no\nfirst = 1\n",
-    "[water]\nmodel = sum\n[caustics]\nmesh = 40\n[wave.1]\ncycles = 2 1\n[sum]\nfirst = sines\nsecond = sines\n",
+    "[water]\nmodel = sum\n[caustics]\nmesh = 40\n[wave.1]\ncycles = 2 1\n[sum]\nfirst = sines\nsecond = ocean\n"
+    "[ocean]\nresolution = 32\ncascades = 1\n",
     "[water]\nmodel = sum\n[sum]\nfirst = sines\nsecond = collard\n[caustics]\nmesh = 40\n[wave.1]\ncycles = 2 1\n",
     "[water]\nmodel = sum\n[sum]\nfirst = sines\nsecond = heightfield\n[heightfield]\nfile = " PICTURES
     "\nscale = 0.1\n[caustics]\n"

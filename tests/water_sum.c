@@ -40,7 +40,7 @@ static const struct {
     int side;
     bool periodic;
 } cases[] = {
-    {"sines", "sines", "", 40, true},
+    {"sines", "ocean", "[ocean]\nresolution = 32\ncascades = 1\n", 40, true},
     {"sines", "fbm", "", 40, false},
     {"fbm", "collard", "[collard]\ncells = 39\n", 40, false},
     {"collard", "sines", "[collard]\ncells = 70\nwave = preset-3\n", 71, false},
@@ -108,7 +108,7 @@ static void many_points_are_each_of_them(void **state)
     finish(&sum);
 }
 
-static void a_choppy_second_is_refused(void **state)
+static void a_choppy_second_and_the_first_again_are_refused(void **state)
 {
     (void)state;
     struct support_log log;
@@ -121,6 +121,11 @@ static void a_choppy_second_is_refused(void **state)
     setup.memory = &memory;
     assert_false(water_prepare(water_models[scene->medium.model], &setup, 0, support_log_start(&log)));
     EXPECT_ERROR(&log, DPL_REASON_UNSUPPORTED, "sum.second: sines", "accepted");
+    support_set(scene, "sum.second", "fbm");
+    setup = scene_water_setup(scene, waves);
+    setup.memory = &memory;
+    assert_false(water_prepare(water_models[scene->medium.model], &setup, 0, &log.log));
+    EXPECT_ERROR(&log, DPL_REASON_UNSUPPORTED, "sum.second: as sum.first", "fbm", "accepted");
     water_memory_finish(&memory, NULL);
     dpl_scene_destroy(scene);
 }
@@ -149,7 +154,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_second_rides_on_the_first),
         cmocka_unit_test(many_points_are_each_of_them),
-        cmocka_unit_test(a_choppy_second_is_refused),
+        cmocka_unit_test(a_choppy_second_and_the_first_again_are_refused),
         cmocka_unit_test(parts_are_the_other_models),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -84,8 +84,13 @@ const struct command commands[] = {
         .name = "view",
         .operand = "[SCENE]",
         .help = "the scene in a window",
-        .more = "Needs a display, and a build with GLFW and Dear ImGui (Debian: libglfw3-dev libimgui-dev).\n",
-        .examples = {"view", "view collard-4 --size 1920x1080"},
+        .more = "Drag to look round, the wheel to come nearer; the panel lists all keys. In a scene with a ball, drag "
+                "that;\n"
+                "where water can be splashed (`ripples`), stroke it. Space holds time, G gives the ball weight, L puts "
+                "the\n"
+                "sun where the eye is. Without a GPU a small --size helps.\n"
+                "Needs a display, and a build with GLFW and Dear ImGui (Debian: libglfw3-dev libimgui-dev).\n",
+        .examples = {"view pool", "view collard-4 --size 1920x1080"},
         .flags = SCENE_FLAGS | FLAG_BIT(FLAG_TIME) | FLAG_BIT(FLAG_SIZE),
         .run = command_view,
     },

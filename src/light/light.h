@@ -4,7 +4,7 @@
  * horizontal receiver there in units of what flat water would give. Receivers below the surface get refracted light,
  * those above it light that the surface throws back. A technique that is tuned by eye has no such scale. Whoever shows,
  * stores or compares a map does not know which technique made it. A new technique is a copy of the shortest file in
- * this folder and one line in light.c. */
+ * this folder, pixel_ray.c, and its name in light.c. */
 #ifndef LIGHT_LIGHT_H
 #define LIGHT_LIGHT_H
 

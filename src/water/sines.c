@@ -27,8 +27,10 @@ const struct dpl_param water_wave_params[] = {
     PARAM_FLOAT(struct wave, amplitude, 0.01, 0, 100, "m", "height of a crest above the rest surface"),
     PARAM_FLOAT(struct wave, phase, 0, -360, 360, "degrees", "phase at the middle of the tile at time 0"),
     PARAM_FLOAT(struct wave, period, 0, 0, 1e4, "s", "time of one oscillation; 0 = from the dispersion relation"),
-    PARAM_FLOAT(struct wave, steepness, 0, 0, 1, "",
-                "0 = a sine, 1 = crests as sharp as can be; where all waves' sum exceeds 1 they are scaled back to 1"),
+    PARAM_FLOAT(
+        struct wave, steepness, 0, 0, 1, "",
+        "0 = a sine, 1 = crests as sharp as can be, which need a fine mesh; where all waves' sum exceeds 1 they are "
+        "scaled back to 1"),
     PARAM_END,
 };
 

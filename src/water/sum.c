@@ -88,8 +88,11 @@ static bool prepare(void *state_, const struct water_setup *setup, double time, 
             log, DPL_REASON_UNSUPPORTED,
             "sum.second: %s moves points sideways (accepted there: models that move them up and down only)",
             parts.models[1]->name);
+    if (parts.models[1] == parts.models[0])
+        return base_fail(log, DPL_REASON_UNSUPPORTED, "sum.second: as sum.first: \"%s\" (accepted: another model)",
+                         parts.models[1]->name);
     if (!water_prepare(parts.models[0], parts.setups, time, log) ||
-        (parts.models[1] != parts.models[0] && !water_prepare(parts.models[1], parts.setups + 1, time, log)))
+        !water_prepare(parts.models[1], parts.setups + 1, time, log))
         return false;
     return parts.shape.choppy || !has_grid_of_sum(&parts, 1) ||
            surface_resize(&state->second, side, side, parts.shape.periodic, false, setup->size, log);
