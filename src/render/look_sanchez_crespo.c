@@ -14,6 +14,7 @@
 
 #define SKY_SIDE 512 /* texels */
 #define TILES_MAX 4
+#define CELLS_MAX 192 /* a side of each tile's mesh, that of the waves where it has no more */
 #define FLOOR_REACH 101 /* tiles */
 
 /* [look.sanchez-crespo] */
@@ -164,7 +165,7 @@ static bool prepare(void *state_, const struct frame *frame)
     return update_sky(state, frame) && program_ready(gl, &state->floor, "render/sanchez_crespo_floor.glsl", "") &&
            program_ready(gl, &state->added, "render/sanchez_crespo_floor.glsl", "#define ADDED\n") &&
            program_ready(gl, &state->waves, "render/sanchez_crespo_waves.glsl", "") &&
-           water_mesh_ready(&state->mesh, frame, 0);
+           water_mesh_ready(&state->mesh, frame, CELLS_MAX);
 }
 
 static void draw(void *state_, const struct frame *frame)
