@@ -53,7 +53,7 @@ static bool make_mesh(struct surface *mesh, const struct surface *surface, int c
 
 static bool resize(struct wavefront_state *state, int cells, const struct dpl_log *log)
 {
-    if (state->vertices && state->cells == cells)
+    if (state->vertices && state->ranges && state->cells == cells)
         return true;
     wavefront_cpu_finish(state);
     size_t side = (size_t)cells + 1;
