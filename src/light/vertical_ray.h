@@ -55,7 +55,7 @@ struct vertical_axis {
 
 struct vertical_ray_state {
     struct vertical_ray params; /* that the picture was made for */
-    bool ready;
+    bool ready, uploaded;       /* the picture is; the texture too */
     struct sun_picture sun;
     /* GPU */
     struct gpu_program program, mesh_program;
