@@ -70,7 +70,7 @@ static const char water[] = "[scene]\nsize = 2\ndepth = 0.6\n[wave.1]\ncycles = 
 static const char *const scenes[] = {
     "[sun]\nelevation = 50\nazimuth = 200\n[caustics]\nslices = 2\n",
     "[sun]\nazimuth = 110\n[water]\ndispersion = 0.1\n[caustics]\nmesh = 33\n",
-    "[caustics]\nceiling = 0.4\n",
+    "[caustics]\nceiling = 0.4\n[water]\ndispersion = 1e-17\n", /* so little that colours stay together */
     "[water]\nmodel = collard\n[sun]\nelevation = 40\n[caustics]\nwindow = light\nmargin = 0.2\n",
 };
 

@@ -2,6 +2,7 @@
  * useful candidates. */
 #include "support.h"
 
+#include "light/tracing.h"
 #include "plane_wave.h"
 
 #define SIDE 96
@@ -225,9 +226,22 @@ static void no_light_is_lost_behind_the_focus(void **state)
     }
 }
 
+static void light_that_is_no_number_is_none(void **state)
+{
+    struct tracing_sums sums = {0};
+    float texel[3];
+    (void)state;
+    assert_true(tracing_sums_start(&sums, 1, NULL));
+    tracing_sums_add(&sums, 0, 0, (const double[3]){NAN, -1, 2});
+    tracing_sums_read(&sums, (const double[3]){1, 1, 1}, texel);
+    assert_true(texel[0] == 0 && texel[1] == 0 && texel[2] == 2);
+    tracing_sums_finish(&sums);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(light_that_is_no_number_is_none),
         cmocka_unit_test_setup_teardown(beams_tile_flat_water, setup, teardown),
         cmocka_unit_test_setup_teardown(photons_on_flat_water_have_the_grain_of_their_number, setup, teardown),
         cmocka_unit_test_setup_teardown(the_share_of_useful_candidates_is_the_lamps_of_the_cone, setup, teardown),

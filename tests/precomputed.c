@@ -342,6 +342,47 @@ static void places_that_name_no_loop_are_refused(void **state)
     dpl_image_destroy(map_of(fixture, 0));
 }
 
+static void a_loop_too_large_is_refused_by_name(void **state)
+{
+    struct support_log log;
+    struct loop loop = {0};
+    (void)state;
+    assert_false(loop_resize(&loop, LOOP_FRAMES_MAX, LIGHT_MAP_MAX, 3, "mine", support_log_start(&log)));
+    EXPECT_ERROR(&log, DPL_REASON_LIMIT, "mine: ", "4096 frames of 8192", "2048 MB");
+    assert_null(loop.texels);
+}
+
+/* Slices whose windows differ in size share buffers: those that the largest needs stay. */
+static void buffers_only_grow(void **state)
+{
+    static const struct ray_window windows[] = {{-1, -1, 8}, {-1, -1, 0.5}};
+    struct loop_player player = {0};
+    struct loop loop = {0};
+    struct light_map map = {0}, alone = {0};
+    const struct loop_moment moment = {0, 1, 0.5f};
+    size_t rooms[4];
+    (void)state;
+    assert_true(loop_resize(&loop, 2, 16, 1, "mine", NULL));
+    for (int i = 0; i < 2 * 16 * 16; i++)
+        loop.texels[i] = (float)(i * 7 % 31);
+    assert_true(light_map_resize(&map, 8, 3, 2, NULL) && light_map_resize(&alone, 8, 3, 2, NULL));
+    for (int i = 0; i < 4; i++) {
+        struct loop_player fresh = {0};
+        assert_true(loop_play(&player, &loop, &moment, windows + i % 2, 2, 2, &map, i % 2, NULL));
+        assert_true(loop_play(&fresh, &loop, &moment, windows + i % 2, 2, 2, &alone, i % 2, NULL));
+        loop_player_finish(&fresh);
+        const size_t now[4] = {player.x.first_room, player.x.weights_room, player.lines_room, player.scratch_room};
+        if (i == 0)
+            memcpy(rooms, now, sizeof rooms);
+        assert_memory_equal(rooms, now, sizeof rooms);
+    }
+    assert_memory_equal(map.texels, alone.texels, 2 * 8 * 8 * 3 * sizeof(float));
+    loop_player_finish(&player);
+    loop_finish(&loop);
+    light_map_finish(&map);
+    light_map_finish(&alone);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -354,6 +395,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(numbered_pictures_are_played, setup, teardown),
         cmocka_unit_test_setup_teardown(broken_loops_are_refused_by_name, setup, teardown),
         cmocka_unit_test_setup_teardown(places_that_name_no_loop_are_refused, setup, teardown),
+        cmocka_unit_test(a_loop_too_large_is_refused_by_name),
+        cmocka_unit_test(buffers_only_grow),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -136,6 +136,34 @@ static void a_picture_is_seen_where_light_leaves(void **state)
     support_folder_count(folder, true);
 }
 
+static void a_picture_of_no_brightness_is_an_error(void **state)
+{
+    static const float values[] = {NAN, INFINITY, -1, 65505};
+    static const char *const names[] = {"multi-sample", "pixel-ray", "vertex-ray"};
+    struct dpl_image *image = dpl_image_create(8, 8, NULL);
+    struct support_log log;
+    char folder[64], path[96];
+    (void)state;
+    support_folder_make(folder);
+    snprintf(path, sizeof path, "%s/sun.pfm", folder);
+    for (int i = 0; i < 12; i++) {
+        image->pixels[(2 * 8 + 2) * 3] = values[i % 4];
+        assert_true(dpl_image_save(image, path, NULL, NULL));
+        struct dpl_renderer *renderer = dpl_renderer_create(NULL, DPL_DEVICE_CPU, support_log_start(&log));
+        struct dpl_scene *scene = support_scene("[caustics]\nmap = 8\nmesh = 8\n", &log.log);
+        char key[32];
+        snprintf(key, sizeof key, "%s.sun_map", names[i / 4]);
+        support_set(scene, "caustics.technique", "%s", names[i / 4]);
+        support_set(scene, key, "%s", path);
+        assert_null(dpl_renderer_map(renderer, scene, 0));
+        EXPECT_ERROR(&log, DPL_REASON_FILE_FORMAT, path, "column 2, row 2", "accepted: 0 to 65504");
+        dpl_scene_destroy(scene);
+        dpl_renderer_destroy(renderer);
+    }
+    dpl_image_destroy(image);
+    support_folder_count(folder, true);
+}
+
 static void a_missing_picture_is_an_error(void **state)
 {
     struct vertical_ray params = defaults;
@@ -258,9 +286,8 @@ static void waves_are_the_plain_method(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(planes_darken_by_the_angle),
-        cmocka_unit_test(a_picture_is_seen_where_light_leaves),
-        cmocka_unit_test(a_missing_picture_is_an_error),
+        cmocka_unit_test(planes_darken_by_the_angle),    cmocka_unit_test(a_picture_is_seen_where_light_leaves),
+        cmocka_unit_test(a_missing_picture_is_an_error), cmocka_unit_test(a_picture_of_no_brightness_is_an_error),
         cmocka_unit_test(waves_are_the_plain_method),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -11,7 +11,6 @@
 #include "light/beams.h"
 
 #include "base/log.h"
-#include "base/threads.h"
 #include "light/triangles.h"
 
 #include <math.h>
@@ -34,21 +33,17 @@ struct vertex {
     bool arrives;
 };
 
-/* Of the places of a row of vertices along z, texels. */
-struct range {
-    double least, most;
-};
-
 struct state {
-    struct vertex *vertices; /* rows × columns, with the repeated edge of a periodic surface */
-    struct range *ranges;    /* rows */
-    int columns, rows;       /* that there is room for */
+    struct vertex *vertices;       /* rows × columns, with the repeated edge of a periodic surface */
+    struct triangle_range *ranges; /* rows */
+    int columns, rows;             /* that there is room for */
     struct beams_gpu gpu;
 };
 
 /* What is the same for all rays to one receiver. */
 struct task {
     const struct light_input *input;
+    const struct state *state;
     struct tracing_view view;
     double receiver;   /* m */
     int columns, rows; /* of vertices */
@@ -143,51 +138,37 @@ static void draw_triangle(const struct task *task, const struct triangle_band *b
     triangle_draw(band, corners);
 }
 
-/* Step 4 for the rows of the map that are one thread's. */
-static void draw_band(const struct state *state, const struct task *task, const struct triangle_band *band)
+/* Step 4, a triangle_row. */
+static void draw_row(const void *task_, const struct triangle_band *band, int j)
 {
-    for (int j = 0; j < task->rows - 1; j++) {
-        const struct vertex *upper = state->vertices + (size_t)j * (size_t)task->columns;
-        const struct vertex *lower = upper + task->columns;
-        const struct range *ranges = state->ranges + j;
-        if (!triangle_band_reaches(band, fmin(ranges[0].least, ranges[1].least), fmax(ranges[0].most, ranges[1].most)))
-            continue;
-        for (int i = 0; i < task->columns - 1; i++) {
-            draw_triangle(task, band, upper + i, upper + i + 1, lower + i);
-            draw_triangle(task, band, upper + i + 1, lower + i + 1, lower + i);
-        }
+    const struct task *task = task_;
+    const struct vertex *upper = task->state->vertices + (size_t)j * (size_t)task->columns;
+    const struct vertex *lower = upper + task->columns;
+    for (int i = 0; i < task->columns - 1; i++) {
+        draw_triangle(task, band, upper + i, upper + i + 1, lower + i);
+        draw_triangle(task, band, upper + i + 1, lower + i + 1, lower + i);
     }
 }
 
-static void trace_row(const struct state *state, const struct task *task, int j, int color)
+static void trace_row(const struct task *task, int j, int color)
 {
-    struct vertex *row = state->vertices + (size_t)j * (size_t)task->columns;
-    struct range range = {INFINITY, -INFINITY};
+    struct vertex *row = task->state->vertices + (size_t)j * (size_t)task->columns;
+    struct triangle_range range = {INFINITY, -INFINITY};
     for (int i = 0; i < task->columns; i++) {
         row[i] = trace_vertex(task, i, j, color);
         range.least = row[i].arrives ? fmin(range.least, row[i].place[1]) : range.least;
         range.most = row[i].arrives ? fmax(range.most, row[i].place[1]) : range.most;
     }
-    state->ranges[j] = range;
+    task->state->ranges[j] = range;
 }
 
-static void trace_color(const struct state *state, const struct task *task, int color, float *texels)
+static void trace_color(const struct task *task, int color, float *texels)
 {
-    int bands = threads_most(), side = task->view.side;
+    const struct triangle_band map = {.texels = texels, .side = task->view.side, .periodic = task->view.period > 0};
 #pragma omp parallel for schedule(static)
     for (int j = 0; j < task->rows; j++)
-        trace_row(state, task, j, color);
-#pragma omp parallel for
-    for (int b = 0; b < bands; b++) {
-        const struct triangle_band band = {
-            .texels = texels,
-            .side = side,
-            .first = (int)((int64_t)side * b / bands),
-            .end = (int)((int64_t)side * (b + 1) / bands),
-            .periodic = task->view.period > 0,
-        };
-        draw_band(state, task, &band);
-    }
+        trace_row(task, j, color);
+    triangle_rows_draw(&map, task->state->ranges, task->rows, draw_row, task);
 }
 
 static bool trace(void *state_, const struct light_input *input, struct light_map *map)
@@ -196,6 +177,7 @@ static bool trace(void *state_, const struct light_input *input, struct light_ma
     const struct surface *surface = input->surface;
     struct task task = {
         .input = input,
+        .state = state,
         .columns = surface->columns + (surface->periodic ? 1 : 0),
         .rows = surface->rows + (surface->periodic ? 1 : 0),
         .disc = optics_sun_disc(input->sun),
@@ -209,7 +191,7 @@ static bool trace(void *state_, const struct light_input *input, struct light_ma
         float *texels = light_map_slice(map, slice);
         memset(texels, 0, sizeof *texels * 3 * (size_t)map->side * (size_t)map->side);
         for (int c = 0; c < 3; c += tracing_colors_together(&task.rays))
-            trace_color(state, &task, c, texels);
+            trace_color(&task, c, texels);
     }
     return true;
 }

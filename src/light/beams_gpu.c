@@ -2,9 +2,9 @@
  * a target with a margin, as what is drawn cannot wrap round. */
 #include "light/beams.h"
 
-#define WIDEST                                                                                                         \
-    64 /* texels of a triangle's image, and four cells of flat water; a wider one is drawn smaller, with the           \
-          same light: it is too dim to be seen */
+/* Texels of a triangle's image, and four cells of flat water; a wider one is drawn smaller, with the same light: it is
+ * too dim to be seen. */
+#define WIDEST 64
 
 static void draw_color(struct beams_gpu *gpu, struct dpl_gl *gl, const struct tracing_rays *rays, int widest,
                        int margin)
@@ -32,17 +32,16 @@ static void draw_color(struct beams_gpu *gpu, struct dpl_gl *gl, const struct tr
 
 bool beams_gpu_draw(struct beams_gpu *gpu, struct dpl_gl *gl, const struct light_input *input, struct gpu_texture *map)
 {
-    int together = input->medium->dispersion > 0 ? 1 : 3, columns = input->surface_gpu->texels.width;
+    int columns = input->surface_gpu->texels.width;
     if (!program_ready(gl, &gpu->rays_program, "light/beams_rays.glsl", "") ||
         !program_ready(gl, &gpu->program, "light/beams.glsl", "") || !tracing_blend_ready(gl, &gpu->blend))
         return false;
     for (int slice = 0; slice < input->slices; slice++) {
         int widest = WIDEST + (int)(4 * input->setup->size / input->windows[slice].side * map->width / columns);
         int margin = widest / 2 + 2;
-        for (int c = 0; c < 3; c += together) {
-            const struct tracing_rays rays = tracing_rays_of(input, input->sun, map->width, slice, c);
+        struct tracing_rays rays = tracing_rays_of(input, input->sun, map->width, slice, 0);
+        for (; rays.color < 3; rays.color += tracing_colors_together(&rays.medium))
             draw_color(gpu, gl, &rays, widest, margin);
-        }
         tracing_blend_draw(gl, &gpu->blend, input->surface_gpu->periodic, margin, map, slice);
     }
     return true;

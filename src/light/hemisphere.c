@@ -7,8 +7,8 @@
  *      share, what the water lets through, and n², by which refraction gathers directions
  *
  * The sum is the irradiance but for chance, as long as the cone holds all ways to the lamp. Most candidates are of no
- * use; the log says how many are. Candidates follow an additive sequence (Roberts 2018), with a start of its own for
- * each texel (Cranley & Patterson 1976). */
+ * use; on the CPU the log says how many are. Candidates follow an additive sequence (Roberts 2018), with a start of its
+ * own for each texel (Cranley & Patterson 1976). */
 #include "light/tracing_gpu.h"
 
 #include "base/log.h"
@@ -220,6 +220,11 @@ static uint64_t trace_slice(const struct task *task, struct light_map *map, int 
     return useful;
 }
 
+static bool same_candidates(const struct hemisphere *a, const struct hemisphere *b)
+{
+    return a->candidates == b->candidates && a->cone == b->cone && a->lamp == b->lamp;
+}
+
 static bool trace(void *state_, const struct light_input *input, struct light_map *map)
 {
     struct state *state = state_;
@@ -230,7 +235,7 @@ static bool trace(void *state_, const struct light_input *input, struct light_ma
         task.surface = tracing_surface_of(input->surface);
         useful += (double)trace_slice(&task, map, slice);
     }
-    if (memcmp(&state->told, p, sizeof *p) != 0)
+    if (!same_candidates(&state->told, p))
         base_inform(input->log, "hemisphere: %.3g %% of the candidate rays end in the lamp",
                     100 * useful / ((double)map->side * map->side * map->slices * p->candidates));
     state->told = *p;
@@ -269,10 +274,9 @@ static bool draw(void *state_, struct dpl_gl *gl, const struct light_input *inpu
         return false;
     for (int slice = 0; slice < input->slices; slice++) {
         const struct task task = task_of(input, periodic, map->width, slice);
-        for (int c = 0; c < 3; c += tracing_colors_together(&task.rays)) {
-            const struct tracing_rays rays = tracing_rays_of(input, &task.sun, map->width, slice, c);
+        struct tracing_rays rays = tracing_rays_of(input, &task.sun, map->width, slice, 0);
+        for (; rays.color < 3; rays.color += tracing_colors_together(&rays.medium))
             draw_color(state, gl, &task, &rays);
-        }
         tracing_blend_draw(gl, &state->blend, periodic, 0, map, slice);
     }
     return true;

@@ -20,9 +20,13 @@ size_t loop_frame_size(const struct loop *loop)
     return (size_t)loop->side * (size_t)loop->side * (size_t)loop->channels;
 }
 
-bool loop_resize(struct loop *loop, int count, int side, int channels, const struct dpl_log *log)
+bool loop_resize(struct loop *loop, int count, int side, int channels, const char *name, const struct dpl_log *log)
 {
     struct loop new = {.count = count, .side = side, .channels = channels};
+    if (loop_frame_size(&new) * sizeof(float) > LOOP_BYTES_MAX / (size_t)count)
+        return base_fail(log, DPL_REASON_LIMIT,
+                         "%s: too large: %d frames of %d × %d (accepted: up to %zu MB as floats)", name, count, side,
+                         side, LOOP_BYTES_MAX >> 20);
     new.texels = base_allocate(log, loop_frame_size(&new) * (size_t)count, sizeof(float), "frames of a loop");
     if (!new.texels)
         return false;
@@ -70,24 +74,36 @@ static void weigh(struct loop_axis *axis)
     }
 }
 
+/* Room for `count` values of `size` bytes: what is there, if that is `room` values or more. */
+static void *grow(void *buffer, size_t *room, size_t count, size_t size, const struct dpl_log *log)
+{
+    if (*room >= count)
+        return buffer;
+    free(buffer);
+    buffer = base_allocate(log, count, size, "frames of a loop");
+    *room = buffer ? count : 0;
+    return buffer;
+}
+
 /* Readies an axis of the map that starts at `start`, counted in texels of the frame, as are its texels' width. */
 static bool ready_axis(struct loop_axis *axis, int side, int map_side, double start, double step,
                        const struct dpl_log *log)
 {
-    if (axis->weights && axis->side == side && axis->map_side == map_side && axis->start == start && axis->step == step)
+    if (axis->side == side && axis->map_side == map_side && axis->start == start && axis->step == step)
         return true;
-    int count = (int)ceil(step) + 2;
-    if (!axis->weights || axis->map_side != map_side || axis->count != count) {
-        free(axis->first);
-        free(axis->weights);
-        axis->first = base_allocate(log, (size_t)map_side, sizeof *axis->first, "frames of a loop");
-        axis->weights = base_allocate(log, (size_t)map_side * (size_t)count, sizeof *axis->weights, "frames of a loop");
-    }
-    bool ok = axis->first && axis->weights;
-    *axis = (struct loop_axis){side, map_side, count, start, step, axis->first, axis->weights};
-    if (ok)
-        weigh(axis);
-    return ok;
+    size_t texels = (size_t)map_side;
+    axis->side = 0; /* not ready, if there is no room */
+    axis->map_side = map_side;
+    axis->count = (int)ceil(step) + 2;
+    axis->start = start;
+    axis->step = step;
+    axis->first = grow(axis->first, &axis->first_room, texels, sizeof *axis->first, log);
+    axis->weights = grow(axis->weights, &axis->weights_room, texels * (size_t)axis->count, sizeof *axis->weights, log);
+    if (!axis->first || !axis->weights)
+        return false;
+    axis->side = side;
+    weigh(axis);
+    return true;
 }
 
 /* Step 1, of a row, with what follows where it repeats. */
@@ -140,16 +156,11 @@ static bool resize_buffers(struct loop_player *player, const struct loop *loop, 
     size_t blended = (size_t)(loop->side + player->x.count) * (size_t)loop->channels;
     size_t lines = (size_t)loop->side * (size_t)loop->channels * (size_t)map_side;
     size_t thread = blended > (size_t)map_side ? blended : (size_t)map_side;
-    if (player->lines && player->scratch && player->threads == threads_most() && player->thread_size == thread &&
-        player->lines_size == lines)
-        return true;
-    free(player->lines);
-    free(player->scratch);
     player->threads = threads_most();
     player->thread_size = thread;
-    player->lines_size = lines;
-    player->lines = base_allocate(log, lines, sizeof(float), "frames of a loop");
-    player->scratch = base_allocate(log, thread * (size_t)player->threads, sizeof(float), "frames of a loop");
+    player->lines = grow(player->lines, &player->lines_room, lines, sizeof(float), log);
+    player->scratch =
+        grow(player->scratch, &player->scratch_room, thread * (size_t)player->threads, sizeof(float), log);
     return player->lines && player->scratch;
 }
 

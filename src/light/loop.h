@@ -13,8 +13,8 @@ struct loop {
     float *texels;             /* count × side × side × channels, rows as in a map */
 };
 
-/* Makes room for that many frames, all zero. */
-bool loop_resize(struct loop *loop, int count, int side, int channels, const struct dpl_log *log);
+/* Makes room for that many frames, all zero; `name` is what an error names. */
+bool loop_resize(struct loop *loop, int count, int side, int channels, const char *name, const struct dpl_log *log);
 
 /* Values in one frame. */
 size_t loop_frame_size(const struct loop *loop);
@@ -34,21 +34,22 @@ struct loop_moment {
 /* `turns`: time in lengths of the loop. */
 struct loop_moment loop_moment_at(const struct loop *loop, double turns);
 
-/* Along one axis, the frame's texels that the map's show. */
+/* Along one axis, the frame's texels that the map's show. Buffers only grow: slices differ in what they show. */
 struct loop_axis {
     int side, map_side, count; /* texels of the frame; of the map; of the frame that one of the map may show */
     double start, step;        /* where the map starts, and the width of its texels, in texels of the frame */
     int *first;                /* for each of the map, the first that it shows, 0 to side - 1 */
     float *weights;            /* count × map_side: their shares, sum 1 */
+    size_t first_room, weights_room;
 };
 
 /* What is kept between frames that are played. All zero: none yet. */
 struct loop_player {
     struct loop_axis x, z;
     float *lines;   /* a frame with rows as wide as the map, each channel a row */
-    float *scratch; /* for each thread a row */
+    float *scratch; /* for each thread a row of `thread_size` */
     int threads;
-    size_t lines_size, thread_size;
+    size_t lines_room, scratch_room, thread_size;
 };
 
 /* Fills a slice of the map, three channels, with what its window shows of the loop, whose tiles are `tile` metres wide;

@@ -145,10 +145,7 @@ static bool add_frame(struct loop *loop, int frame, const struct dpl_image *imag
     if (image->width != image->height || image->width > LIGHT_MAP_MAX)
         return base_fail(log, DPL_REASON_FILE_FORMAT, "%s: a map is square: %d × %d (accepted: 1 to %d a side)", path,
                          image->width, image->height, LIGHT_MAP_MAX);
-    if (frame == 0 && values * sizeof(float) > LOOP_BYTES_MAX / (size_t)count)
-        return base_fail(log, DPL_REASON_LIMIT, "%s: %d pictures of this size are too many (at most %zu MB as floats)",
-                         path, count, LOOP_BYTES_MAX >> 20);
-    if (frame == 0 && !loop_resize(loop, count, image->width, 3, log))
+    if (frame == 0 && !loop_resize(loop, count, image->width, 3, path, log))
         return false;
     if (image->width != loop->side)
         return base_fail(log, DPL_REASON_FILE_FORMAT, "%s: not as large as the first picture: %d × %d (accepted: %d)",

@@ -177,14 +177,12 @@ static void draw_color(struct state *state, struct dpl_gl *gl, const struct trac
 static bool draw(void *state_, struct dpl_gl *gl, const struct light_input *input, struct gpu_texture *map)
 {
     struct state *state = state_;
-    int together = input->medium->dispersion > 0 ? 1 : 3;
     if (!program_ready(gl, &state->program, "light/photons.glsl", "") || !tracing_blend_ready(gl, &state->blend))
         return false;
     for (int slice = 0; slice < input->slices; slice++) {
-        for (int c = 0; c < 3; c += together) {
-            const struct tracing_rays rays = tracing_rays_of(input, input->sun, map->width, slice, c);
+        struct tracing_rays rays = tracing_rays_of(input, input->sun, map->width, slice, 0);
+        for (; rays.color < 3; rays.color += tracing_colors_together(&rays.medium))
             draw_color(state, gl, &rays);
-        }
         tracing_blend_draw(gl, &state->blend, input->surface_gpu->periodic, MARGIN, map, slice);
     }
     return true;
@@ -198,6 +196,7 @@ static void finish(void *state_, struct dpl_gl *gl)
         tracing_blend_finish(gl, &state->blend);
     }
     tracing_sums_finish(&state->sums);
+    *state = (struct state){0};
 }
 
 const struct light_technique light_photons = {

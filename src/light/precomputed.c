@@ -82,7 +82,7 @@ static bool ready_caustics(struct precomputed_state *state, const struct light_i
         return true;
     free(state->made);
     state->made = base_allocate(input->log, (size_t)p->frames, sizeof *state->made, "frames of a loop");
-    state->ready = state->made && loop_resize(&state->loop, p->frames, p->side, 1, input->log) &&
+    state->ready = state->made && loop_resize(&state->loop, p->frames, p->side, 1, "precomputed.frames", input->log) &&
                    random_caustics_begin(&state->caustics, &recipe, input->log);
     return state->ready;
 }

@@ -21,13 +21,29 @@ void sun_map_disc(struct sun_map *map)
     }
 }
 
-/* A square picture, or NULL. */
+#define BRIGHTEST 65504 /* that a texture of half floats holds */
+
+static bool is_sun_map(const struct dpl_image *image, const char *path, const struct dpl_log *log)
+{
+    if (image->width != image->height || image->width < 2)
+        return base_fail(log, DPL_REASON_FILE_FORMAT, "%s: a sun map is square: %d × %d (accepted: 2 or more a side)",
+                         path, image->width, image->height);
+    for (int t = 0; t < image->width * image->height; t++) {
+        double red = (double)image->pixels[t * image->channels];
+        if (!(red >= 0 && red <= BRIGHTEST))
+            return base_fail(log, DPL_REASON_FILE_FORMAT,
+                             "%s: no brightness in column %d, row %d: \"%g\" (accepted: 0 to %d)", path,
+                             t % image->width, t / image->width, red, BRIGHTEST);
+    }
+    return true;
+}
+
+/* A square picture whose red channel is brightness, or NULL. */
 static struct dpl_image *read_square(const char *path, const struct dpl_log *log)
 {
     struct dpl_image *image = io_read(path, log);
-    if (!image || (image->width == image->height && image->width > 1))
+    if (!image || is_sun_map(image, path, log))
         return image;
-    base_fail(log, DPL_REASON_FILE_FORMAT, "%s: a sun map is square: %d × %d", path, image->width, image->height);
     dpl_image_destroy(image);
     return NULL;
 }

@@ -1,7 +1,7 @@
 /* light/sun_map.h: brightness of the sun and its halo, as the look-up of techniques that are tuned by eye.
  *
- * Either is a square picture of the sun, in the red channel of a PNG or made from formulas. A sun map is read along the
- * picture's diagonal: m = 0 is the corner, m = 1/2 the middle. A sun picture is read all over, as a part of the sky
+ * Either is a square picture of the sun, in the red channel of a file or made from formulas. A sun map is read along
+ * the picture's diagonal: m = 0 is the corner, m = 1/2 the middle. A sun picture is read all over, as a part of the sky
  * round the zenith. */
 #ifndef LIGHT_SUN_MAP_H
 #define LIGHT_SUN_MAP_H
@@ -43,8 +43,8 @@ struct sun_picture {
  * from 1 to 0 as the power `falloff` of the distance from its edge. */
 void sun_picture_halo(struct sun_picture *picture, double width, double halo, double falloff);
 
-/* A PNG that spans `width` degrees, right is +x and down +z; the distance from its middle is the angle to the zenith.
- */
+/* A picture that spans `width` degrees, right is +x and down +z; the distance from its middle is the angle to the
+ * zenith. */
 bool sun_picture_read(struct sun_picture *picture, double width, const char *path, const struct dpl_log *log);
 
 #endif

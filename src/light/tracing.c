@@ -136,11 +136,11 @@ void tracing_sums_add(struct tracing_sums *sums, int x, int z, const double ligh
         return;
     uint64_t *texel = sums->texels + ((size_t)z * (size_t)sums->side + (size_t)x) * 3;
     for (int c = 0; c < 3; c++) {
+        if (!(light[c] > 0)) /* or no number */
+            continue;
         uint64_t parts = (uint64_t)(fmin(light[c], LIGHT_MAX) * PARTS + 0.5);
-        if (parts > 0) {
 #pragma omp atomic
-            texel[c] += parts;
-        }
+        texel[c] += parts;
     }
 }
 

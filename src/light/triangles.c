@@ -2,6 +2,8 @@
  * of a plane that the map repeats over, where the surface is periodic. */
 #include "light/triangles.h"
 
+#include "base/threads.h"
+
 #include <math.h>
 #include <stdint.h>
 
@@ -113,10 +115,26 @@ void triangle_draw(const struct triangle_band *band, const struct triangle_corne
     }
 }
 
-bool triangle_band_reaches(const struct triangle_band *band, double least, double most)
+/* True where something from `least` to `most` along z may reach rows of the band. */
+static bool reaches(const struct triangle_band *band, double least, double most)
 {
     double side = band->side, turns = band->periodic ? floor((least - band->first) / side) : 0;
     least -= turns * side;
     most -= turns * side;
     return (least < band->end && most > band->first) || (band->periodic && most > band->first + side);
+}
+
+void triangle_rows_draw(const struct triangle_band *map, const struct triangle_range *ranges, int vertices,
+                        triangle_row *draw, const void *task)
+{
+    int bands = threads_most();
+#pragma omp parallel for
+    for (int b = 0; b < bands; b++) {
+        struct triangle_band band = *map;
+        band.first = (int)((int64_t)map->side * b / bands);
+        band.end = (int)((int64_t)map->side * (b + 1) / bands);
+        for (int j = 0; j < vertices - 1; j++)
+            if (reaches(&band, fmin(ranges[j].least, ranges[j + 1].least), fmax(ranges[j].most, ranges[j + 1].most)))
+                draw(task, &band, j);
+    }
 }

@@ -26,7 +26,17 @@ struct triangle_band {
 #define TRIANGLE_WIDEST 8
 void triangle_draw(const struct triangle_band *band, const struct triangle_corner corners[3]);
 
-/* True where something from `least` to `most` along z, texels, may reach rows of the band. */
-bool triangle_band_reaches(const struct triangle_band *band, double least, double most);
+/* How far a row of vertices reaches along z, texels. */
+struct triangle_range {
+    double least, most;
+};
+
+/* Draws the triangles between row j and row j + 1 of the vertices. */
+typedef void triangle_row(const void *task, const struct triangle_band *band, int j);
+
+/* Draws all rows of triangles, in order, to all of the map: each thread to a band of it, from the rows that may reach
+ * there. `ranges`: of `vertices` rows of vertices. */
+void triangle_rows_draw(const struct triangle_band *map, const struct triangle_range *ranges, int vertices,
+                        triangle_row *draw, const void *task);
 
 #endif

@@ -3,7 +3,7 @@
  * floor.
  *
  *   1. every vertex of the mesh sends a ray straight up: vertical_ray.h. The water's normal comes from the heights
- * above its neighbours
+ *      above its neighbours
  *   2. brightness is interpolated over the mesh's triangles, cut as those of the surface are
  *
  * Step 2 is done texel by texel, which is what a rasteriser does. The article adds the mesh to the floor; here that is

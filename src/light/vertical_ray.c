@@ -12,7 +12,7 @@ bool vertical_ray_prepare(struct vertical_ray_state *state, struct dpl_gl *gl, c
 {
     const struct vertical_ray *p = input->params;
     if (!state->ready || memcmp(p, &state->params, sizeof *p) != 0) {
-        state->ready = false;
+        state->ready = state->uploaded = false;
         if (*p->sun_map == '\0')
             sun_picture_halo(&state->sun, p->sun_width, p->halo, p->falloff);
         else if (!sun_picture_read(&state->sun, p->sun_width * p->halo, p->sun_map, input->log))
@@ -20,10 +20,11 @@ bool vertical_ray_prepare(struct vertical_ray_state *state, struct dpl_gl *gl, c
         state->params = *p;
         state->ready = true;
     }
-    if (gl) {
+    if (gl && !state->uploaded) {
         texture_resize(gl, &state->sun_texture, GL_R16F, SUN_PICTURE_SIDE, SUN_PICTURE_SIDE, TEXTURE_CLAMP,
                        TEXTURE_LINEAR);
         texture_upload(gl, &state->sun_texture, state->sun.texels);
+        state->uploaded = true;
     }
     return true;
 }
@@ -54,7 +55,7 @@ int vertical_ray_locate(double place, int cells, bool periodic, float *inside)
 /* Makes room for `count` points. */
 static bool resize_axis(struct vertical_axis *axis, int count, const struct dpl_log *log)
 {
-    if (axis->cells[0] && axis->count == count)
+    if (axis->cells[0] && axis->inside[0] && axis->count == count)
         return true;
     free(axis->cells[0]);
     free(axis->inside[0]);
@@ -96,11 +97,12 @@ static bool resize_room(struct vertical_ray_state *state, const struct surface *
 {
     bool fits = state->room && state->columns.count == side && state->grid_columns == surface->columns &&
                 state->threads == threads_most();
-    if (!resize_axis(&state->columns, side, log) || !resize_axis(&state->rows, side, log))
-        return false;
     if (fits)
         return true;
     free(state->room);
+    state->room = NULL;
+    if (!resize_axis(&state->columns, side, log) || !resize_axis(&state->rows, side, log))
+        return false;
     state->grid_columns = surface->columns;
     state->threads = threads_most();
     size_t row = 3 * ((size_t)surface->columns + 1) + 2 * (size_t)side;

@@ -32,9 +32,9 @@ struct vertical_ray {
         PARAM_FLOAT(struct vertical_ray, halo, 10, 1, 100, "sun widths",                                               \
                     "width of the halo, and of sun_map; 1 = the bare sun"),                                            \
         PARAM_FLOAT(struct vertical_ray, falloff, 2, 0.1, 16, "",                                                      \
-                    "power of the loss from the sun's edge to the "                                                    \
-                    "halo's"),                                                                                         \
-        PARAM_TEXT(struct vertical_ray, sun_map, "PNG of the sun and its halo, square; empty = a disc and its halo")
+                    "power of the loss from the sun's edge to that of the halo"),                                      \
+        PARAM_TEXT(struct vertical_ray, sun_map,                                                                       \
+                   "picture of the sun and its halo, square; empty = a disc and its halo")
 
 /* A square of points on the floor, row by row. */
 struct vertical_points {
@@ -55,7 +55,7 @@ struct vertical_axis {
 
 struct vertical_ray_state {
     struct vertical_ray params; /* that the picture was made for */
-    bool ready;
+    bool ready, uploaded;       /* the picture is; the texture too */
     struct sun_picture sun;
     /* GPU */
     struct gpu_program program, mesh_program;

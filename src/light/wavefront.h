@@ -4,6 +4,7 @@
 
 #include "light/coverage.h"
 #include "light/light.h"
+#include "light/triangles.h"
 
 enum wavefront_variant { WAVEFRONT_DERIVATIVES, WAVEFRONT_GEOMETRY, WAVEFRONT_NEIGHBOURS, WAVEFRONT_VARIANTS };
 enum wavefront_area { WAVEFRONT_DETERMINANT, WAVEFRONT_LENGTHS };
@@ -28,8 +29,8 @@ struct wavefront_state {
     struct surface mesh; /* where it has not the surface's own vertices */
     struct coverage_rays rays;
     struct wavefront_vertex *vertices; /* (cells + 1)² */
-    float *ranges; /* (cells + 1) × 2: the smallest and the largest z of a row of vertices, texels */
-    int cells;     /* a side, that there is room for */
+    struct triangle_range *ranges;     /* cells + 1 */
+    int cells;                         /* a side, that there is room for */
     /* GPU */
     struct gpu_program rays_program, programs[WAVEFRONT_VARIANTS];
     struct surface_gpu mesh_gpu; /* as `mesh`; its programs make it from the surface */

@@ -2,8 +2,6 @@
 #include "light/wavefront.h"
 
 #include "base/log.h"
-#include "base/threads.h"
-#include "light/triangles.h"
 #include "optics/refraction.h"
 
 #include <math.h>
@@ -53,12 +51,12 @@ static bool make_mesh(struct surface *mesh, const struct surface *surface, int c
 
 static bool resize(struct wavefront_state *state, int cells, const struct dpl_log *log)
 {
-    if (state->vertices && state->cells == cells)
+    if (state->vertices && state->ranges && state->cells == cells)
         return true;
     wavefront_cpu_finish(state);
     size_t side = (size_t)cells + 1;
     state->vertices = base_allocate(log, side * side, sizeof *state->vertices, "wavefront");
-    state->ranges = base_allocate(log, side * 2, sizeof *state->ranges, "wavefront");
+    state->ranges = base_allocate(log, side, sizeof *state->ranges, "wavefront");
     state->cells = cells;
     return state->vertices && state->ranges;
 }
@@ -79,7 +77,7 @@ struct task {
     const struct surface *mesh;
     const struct coverage_rays *rays;
     struct wavefront_vertex *vertices;
-    float *ranges;
+    struct triangle_range *ranges;
     int cells;
     struct wavefront_receiver receiver;
 };
@@ -121,8 +119,7 @@ static void place_row(const struct task *task, int j)
         most = fmaxf(most, vertex->moved[1]);
     }
     double rest = j * task->receiver.cell + task->receiver.offset[1];
-    task->ranges[2 * j] = (float)(rest + (double)least);
-    task->ranges[2 * j + 1] = (float)(rest + (double)most);
+    task->ranges[j] = (struct triangle_range){rest + (double)least, rest + (double)most};
 }
 
 /* A triangle of the mesh before and after: edges from its first corner, texels. */
@@ -175,45 +172,29 @@ static void draw_triangle(const struct task *task, const struct triangle_band *b
     triangle_draw(band, corners);
 }
 
-/* True where a row of cells may reach rows of the band. */
-static bool reaches(const struct task *task, const struct triangle_band *band, int j)
+/* A triangle_row. */
+static void draw_row(const void *task_, const struct triangle_band *band, int j)
 {
-    const float *upper = task->ranges + 2 * j, *lower = upper + 2;
-    double least = floor((double)fminf(upper[0], lower[0])) - 1, most = ceil((double)fmaxf(upper[1], lower[1])) + 1;
-    return triangle_band_reaches(band, least, most);
-}
-
-static void draw_band(const struct task *task, const struct triangle_band *band)
-{
-    memset(band->texels + (size_t)band->first * (size_t)band->side * 3, 0,
-           (size_t)(band->end - band->first) * (size_t)band->side * 3 * sizeof *band->texels);
-    for (int j = 0; j < task->cells; j++) {
-        int count = reaches(task, band, j) ? task->cells : 0;
-        for (int i = 0; i < count; i++) {
-            draw_triangle(task, band, (const int[3][2]){{i, j}, {i + 1, j}, {i, j + 1}});
-            draw_triangle(task, band, (const int[3][2]){{i + 1, j}, {i + 1, j + 1}, {i, j + 1}});
-        }
+    const struct task *task = task_;
+    for (int i = 0; i < task->cells; i++) {
+        draw_triangle(task, band, (const int[3][2]){{i, j}, {i + 1, j}, {i, j + 1}});
+        draw_triangle(task, band, (const int[3][2]){{i + 1, j}, {i + 1, j + 1}, {i, j + 1}});
     }
 }
 
 static void trace_slice(const struct task *task, struct light_map *map, int slice)
 {
-    int bands = threads_most();
+    const struct triangle_band whole = {
+        .texels = light_map_slice(map, slice),
+        .side = map->side,
+        .periodic = task->mesh->periodic,
+        .overwrite = task->params->folds == WAVEFRONT_OVERWRITE,
+    };
+    memset(whole.texels, 0, (size_t)map->side * (size_t)map->side * 3 * sizeof *whole.texels);
 #pragma omp parallel for
     for (int j = 0; j <= task->cells; j++)
         place_row(task, j);
-#pragma omp parallel for
-    for (int b = 0; b < bands; b++) {
-        const struct triangle_band band = {
-            .texels = light_map_slice(map, slice),
-            .side = map->side,
-            .first = (int)((int64_t)map->side * b / bands),
-            .end = (int)((int64_t)map->side * (b + 1) / bands),
-            .periodic = task->mesh->periodic,
-            .overwrite = task->params->folds == WAVEFRONT_OVERWRITE,
-        };
-        draw_band(task, &band);
-    }
+    triangle_rows_draw(&whole, task->ranges, task->cells + 1, draw_row, task);
 }
 
 bool wavefront_trace(void *state_, const struct light_input *input, struct light_map *map)

@@ -1,18 +1,6 @@
 /* A pass of wavefront_gpu.c: ratios of areas by a geometry stage, which sees all three vertices of a triangle. */
-#ifdef VERTEX
-#include "light/wavefront_vertex.glsl"
-out vec2 before, after;
-out vec3 weight;
-
-void main()
-{
-    mesh_vertex vertex = find_vertex(strip_vertex(gl_VertexID));
-    before = vertex.before;
-    after = vertex.after;
-    weight = vertex.weight;
-    gl_Position = map_position(vertex.after);
-}
-#endif
+#include "light/wavefront_strip.glsl"
+#include "light/wavefront_light.glsl"
 
 #ifdef GEOMETRY
 #include "light/wavefront_area.glsl"
@@ -31,15 +19,5 @@ void main()
         gl_Position = gl_in[k].gl_Position;
         EmitVertex();
     }
-}
-#endif
-
-#ifdef FRAGMENT
-in vec3 light;
-out vec4 color;
-
-void main()
-{
-    color = vec4(light, 1.0);
 }
 #endif

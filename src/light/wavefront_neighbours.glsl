@@ -1,4 +1,6 @@
 /* A pass of wavefront_gpu.c: ratios of areas by vertices that belong to one triangle each and find its other two. */
+#include "light/wavefront_light.glsl"
+
 #ifdef VERTEX
 #include "light/wavefront_area.glsl"
 #include "light/wavefront_vertex.glsl"
@@ -13,15 +15,5 @@ void main()
     light = vertex.weight * triangle_ratio(next.before - vertex.before, last.before - vertex.before,
                                            next.after - vertex.after, last.after - vertex.after);
     gl_Position = map_position(vertex.after);
-}
-#endif
-
-#ifdef FRAGMENT
-in vec3 light;
-out vec4 color;
-
-void main()
-{
-    color = vec4(light, 1.0);
 }
 #endif
