@@ -133,16 +133,17 @@ static void ignore_error(exr_const_context_t context, exr_result_t code, const c
 
 #define EXR_SIDE 40
 
-/* A picture of EXR_SIDE² whose channels all hold `values`, its window not at the origin. */
-static void write_exr(struct fixture *fixture, const char *const channels[], exr_storage_t storage,
+/* A picture of EXR_SIDE² whose channels all hold `values`, its window not at the origin; `sampling`: pixels to a value,
+ * along each axis. */
+static void write_exr(struct fixture *fixture, const char *const channels[], int sampling, exr_storage_t storage,
                       exr_compression_t compression, const float *values)
 {
     exr_context_t exr;
     exr_context_initializer_t initializer = EXR_DEFAULT_CONTEXT_INITIALIZER;
     initializer.error_handler_fn = ignore_error;
     exr_attr_box2i_t window = {0};
-    window.min.x = -7;
-    window.min.y = 11;
+    window.min.x = -6;
+    window.min.y = 12;
     window.max.x = window.min.x + EXR_SIDE - 1;
     window.max.y = window.min.y + EXR_SIDE - 1;
     int part = 0, lines = EXR_SIDE;
@@ -155,7 +156,7 @@ static void write_exr(struct fixture *fixture, const char *const channels[], exr
     if (tiled)
         exr_set_tile_descriptor(exr, part, EXR_SIDE, EXR_SIDE, EXR_TILE_ONE_LEVEL, EXR_TILE_ROUND_DOWN);
     for (int i = 0; channels[i]; i++)
-        exr_add_channel(exr, part, channels[i], EXR_PIXEL_HALF, EXR_PERCEPTUALLY_LINEAR, 1, 1);
+        exr_add_channel(exr, part, channels[i], EXR_PIXEL_HALF, EXR_PERCEPTUALLY_LINEAR, sampling, sampling);
     assert_int_equal(exr_write_header(exr), EXR_ERR_SUCCESS);
     if (!tiled)
         exr_get_scanlines_per_chunk(exr, part, &lines);
@@ -192,16 +193,21 @@ static void exr_of_the_other_kinds(void **state)
         values[i] = (float)(i % 97) / 8 - 1; /* a half holds it exactly */
     for (int k = 0; k < 3; k++) {
         for (int i = 0; i < 5; i++) {
-            write_exr(fixture, channels[k], EXR_STORAGE_SCANLINE, compressions[i], values);
+            write_exr(fixture, channels[k], 1, EXR_STORAGE_SCANLINE, compressions[i], values);
             expect_grey(fixture, EXR_SIDE, EXR_SIDE, values);
         }
     }
-    write_exr(fixture, (const char *const[]){"A", "Z", NULL}, EXR_STORAGE_SCANLINE, EXR_COMPRESSION_NONE, values);
+    write_exr(fixture, (const char *const[]){"A", "Z", NULL}, 1, EXR_STORAGE_SCANLINE, EXR_COMPRESSION_NONE, values);
     assert_null(io_read(fixture->path, &fixture->log.log));
     EXPECT_ERROR(&fixture->log, DPL_REASON_FILE_FORMAT, fixture->path, "R, G and B");
-    write_exr(fixture, (const char *const[]){"B", "G", "R", NULL}, EXR_STORAGE_TILED, EXR_COMPRESSION_NONE, values);
+    write_exr(fixture, (const char *const[]){"B", "G", "R", NULL}, 1, EXR_STORAGE_TILED, EXR_COMPRESSION_NONE, values);
     assert_null(io_read(fixture->path, &fixture->log.log));
     EXPECT_ERROR(&fixture->log, DPL_REASON_FILE_FORMAT, fixture->path, "scan lines");
+    for (int k = 0; k < 3; k++) {
+        write_exr(fixture, channels[k], 2, EXR_STORAGE_SCANLINE, EXR_COMPRESSION_ZIP, values);
+        assert_null(io_read(fixture->path, &fixture->log.log));
+        EXPECT_ERROR(&fixture->log, DPL_REASON_FILE_FORMAT, fixture->path, "a value for each pixel");
+    }
 }
 
 /* The bytes of a small picture in each format; the caller frees them. */
