@@ -4,6 +4,7 @@
 
 #include "io/format.h"
 
+#include <locale.h>
 #include <math.h>
 #include <openexr.h>
 #include <png.h>
@@ -103,6 +104,28 @@ static void pfm_of_the_other_kinds(void **state)
     struct fixture *fixture = *state;
     write_bytes(fixture, "a.pfm", bytes, sizeof bytes - 1);
     expect_grey(fixture, 2, 2, (const float[]){-0.5f, 0, 1, 2});
+}
+
+/* The third line of the header is a number of any size, with a point whatever the host's locale has for it. */
+static void pfm_byte_orders(void **state)
+{
+    static const char *const orders[] = {"-1.0", "-1", "-.5", "-2.", "-1e-3", "-1.5E+2", " -0.01"};
+    static const char *const refused[] = {"", "-", "0", "-0.0", "-.", "inf", "nan", "-1,0", "-1.0.0", "e1"};
+    struct fixture *fixture = *state;
+    char bytes[64];
+    setlocale(LC_NUMERIC, "de_DE.UTF-8"); /* a comma, where the machine knows it */
+    for (size_t i = 0; i < sizeof orders / sizeof *orders; i++) {
+        int length = snprintf(bytes, sizeof bytes, "Pf\n1 1\n%s\n%c%c\x80\x3f", orders[i], 0, 0);
+        write_bytes(fixture, "a.pfm", bytes, (size_t)length);
+        expect_grey(fixture, 1, 1, (const float[]){1});
+    }
+    for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
+        snprintf(bytes, sizeof bytes, "Pf\n1 1\n%s\nabcd", refused[i]);
+        write_bytes(fixture, "a.pfm", bytes, strlen(bytes));
+        assert_null(io_read(fixture->path, &fixture->log.log));
+        EXPECT_ERROR(&fixture->log, DPL_REASON_FILE_FORMAT, fixture->path, "no such header");
+    }
+    setlocale(LC_NUMERIC, "C");
 }
 
 /* Grey, 16 bits, an alpha channel that is dropped, and a gamma that is not applied, interlaced. */
@@ -301,6 +324,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(what_was_saved_comes_back, setup, teardown),
         cmocka_unit_test_setup_teardown(pfm_of_the_other_kinds, setup, teardown),
+        cmocka_unit_test_setup_teardown(pfm_byte_orders, setup, teardown),
         cmocka_unit_test_setup_teardown(png_of_the_other_kinds, setup, teardown),
         cmocka_unit_test_setup_teardown(exr_of_the_other_kinds, setup, teardown),
         cmocka_unit_test_setup_teardown(files_cut_short_are_refused, setup, teardown),
