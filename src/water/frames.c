@@ -72,11 +72,16 @@ const float *frames_get(struct frames *frames, int frame, const struct dpl_log *
     return frames->slot[slot].values;
 }
 
+bool frames_are_open(const struct frames *frames, const char *name, int first)
+{
+    return *name && !strcmp(frames->name, name) && frames->first == first;
+}
+
 bool frames_open(struct frames *frames, const char *name, int first, const struct dpl_log *log)
 {
     struct io_numbered numbered;
     char path[PATH_MAX];
-    if (!strcmp(frames->name, name) && frames->first == first && *name)
+    if (frames_are_open(frames, name, first))
         return true;
     frames_close(frames);
     if (*name == '\0')
