@@ -4,6 +4,7 @@
 
 #include "io/format.h"
 
+#include <locale.h>
 #include <math.h>
 #include <openexr.h>
 #include <png.h>
@@ -105,6 +106,28 @@ static void pfm_of_the_other_kinds(void **state)
     expect_grey(fixture, 2, 2, (const float[]){-0.5f, 0, 1, 2});
 }
 
+/* The third line of the header is a number of any size, with a point whatever the host's locale has for it. */
+static void pfm_byte_orders(void **state)
+{
+    static const char *const orders[] = {"-1.0", "-1", "-.5", "-2.", "-1e-3", "-1.5E+2", " -0.01"};
+    static const char *const refused[] = {"", "-", "0", "-0.0", "-.", "inf", "nan", "-1,0", "-1.0.0", "e1"};
+    struct fixture *fixture = *state;
+    char bytes[64];
+    setlocale(LC_NUMERIC, "de_DE.UTF-8"); /* a comma, where the machine knows it */
+    for (size_t i = 0; i < sizeof orders / sizeof *orders; i++) {
+        int length = snprintf(bytes, sizeof bytes, "Pf\n1 1\n%s\n%c%c\x80\x3f", orders[i], 0, 0);
+        write_bytes(fixture, "a.pfm", bytes, (size_t)length);
+        expect_grey(fixture, 1, 1, (const float[]){1});
+    }
+    for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
+        snprintf(bytes, sizeof bytes, "Pf\n1 1\n%s\nabcd", refused[i]);
+        write_bytes(fixture, "a.pfm", bytes, strlen(bytes));
+        assert_null(io_read(fixture->path, &fixture->log.log));
+        EXPECT_ERROR(&fixture->log, DPL_REASON_FILE_FORMAT, fixture->path, "no such header");
+    }
+    setlocale(LC_NUMERIC, "C");
+}
+
 /* Grey, 16 bits, an alpha channel that is dropped, and a gamma that is not applied, interlaced. */
 static void png_of_the_other_kinds(void **state)
 {
@@ -133,16 +156,17 @@ static void ignore_error(exr_const_context_t context, exr_result_t code, const c
 
 #define EXR_SIDE 40
 
-/* A picture of EXR_SIDE² whose channels all hold `values`, its window not at the origin. */
-static void write_exr(struct fixture *fixture, const char *const channels[], exr_storage_t storage,
+/* A picture of EXR_SIDE² whose channels all hold `values`, its window not at the origin; `sampling`: pixels to a value,
+ * along each axis. */
+static void write_exr(struct fixture *fixture, const char *const channels[], int sampling, exr_storage_t storage,
                       exr_compression_t compression, const float *values)
 {
     exr_context_t exr;
     exr_context_initializer_t initializer = EXR_DEFAULT_CONTEXT_INITIALIZER;
     initializer.error_handler_fn = ignore_error;
     exr_attr_box2i_t window = {0};
-    window.min.x = -7;
-    window.min.y = 11;
+    window.min.x = -6;
+    window.min.y = 12;
     window.max.x = window.min.x + EXR_SIDE - 1;
     window.max.y = window.min.y + EXR_SIDE - 1;
     int part = 0, lines = EXR_SIDE;
@@ -155,7 +179,7 @@ static void write_exr(struct fixture *fixture, const char *const channels[], exr
     if (tiled)
         exr_set_tile_descriptor(exr, part, EXR_SIDE, EXR_SIDE, EXR_TILE_ONE_LEVEL, EXR_TILE_ROUND_DOWN);
     for (int i = 0; channels[i]; i++)
-        exr_add_channel(exr, part, channels[i], EXR_PIXEL_HALF, EXR_PERCEPTUALLY_LINEAR, 1, 1);
+        exr_add_channel(exr, part, channels[i], EXR_PIXEL_HALF, EXR_PERCEPTUALLY_LINEAR, sampling, sampling);
     assert_int_equal(exr_write_header(exr), EXR_ERR_SUCCESS);
     if (!tiled)
         exr_get_scanlines_per_chunk(exr, part, &lines);
@@ -192,16 +216,21 @@ static void exr_of_the_other_kinds(void **state)
         values[i] = (float)(i % 97) / 8 - 1; /* a half holds it exactly */
     for (int k = 0; k < 3; k++) {
         for (int i = 0; i < 5; i++) {
-            write_exr(fixture, channels[k], EXR_STORAGE_SCANLINE, compressions[i], values);
+            write_exr(fixture, channels[k], 1, EXR_STORAGE_SCANLINE, compressions[i], values);
             expect_grey(fixture, EXR_SIDE, EXR_SIDE, values);
         }
     }
-    write_exr(fixture, (const char *const[]){"A", "Z", NULL}, EXR_STORAGE_SCANLINE, EXR_COMPRESSION_NONE, values);
+    write_exr(fixture, (const char *const[]){"A", "Z", NULL}, 1, EXR_STORAGE_SCANLINE, EXR_COMPRESSION_NONE, values);
     assert_null(io_read(fixture->path, &fixture->log.log));
     EXPECT_ERROR(&fixture->log, DPL_REASON_FILE_FORMAT, fixture->path, "R, G and B");
-    write_exr(fixture, (const char *const[]){"B", "G", "R", NULL}, EXR_STORAGE_TILED, EXR_COMPRESSION_NONE, values);
+    write_exr(fixture, (const char *const[]){"B", "G", "R", NULL}, 1, EXR_STORAGE_TILED, EXR_COMPRESSION_NONE, values);
     assert_null(io_read(fixture->path, &fixture->log.log));
     EXPECT_ERROR(&fixture->log, DPL_REASON_FILE_FORMAT, fixture->path, "scan lines");
+    for (int k = 0; k < 3; k++) {
+        write_exr(fixture, channels[k], 2, EXR_STORAGE_SCANLINE, EXR_COMPRESSION_ZIP, values);
+        assert_null(io_read(fixture->path, &fixture->log.log));
+        EXPECT_ERROR(&fixture->log, DPL_REASON_FILE_FORMAT, fixture->path, "a value for each pixel");
+    }
 }
 
 /* The bytes of a small picture in each format; the caller frees them. */
@@ -295,6 +324,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(what_was_saved_comes_back, setup, teardown),
         cmocka_unit_test_setup_teardown(pfm_of_the_other_kinds, setup, teardown),
+        cmocka_unit_test_setup_teardown(pfm_byte_orders, setup, teardown),
         cmocka_unit_test_setup_teardown(png_of_the_other_kinds, setup, teardown),
         cmocka_unit_test_setup_teardown(exr_of_the_other_kinds, setup, teardown),
         cmocka_unit_test_setup_teardown(files_cut_short_are_refused, setup, teardown),

@@ -332,7 +332,8 @@ static void broken_loops_are_refused_by_name(void **state)
 
 static void places_that_name_no_loop_are_refused(void **state)
 {
-    static const char *const places[] = {"/none-such/%d.png", "/none-such", "a%d%d.png", "%s", "%04", "%", "a.png"};
+    static const char *const places[] = {
+        "/none-such/%d.png", "/none-such", "a%d%d.png", "%s", "%04", "%", "a.png", "%4d"};
     struct fixture *fixture = *state;
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
         support_set(fixture->scene, "precomputed.files", "%s", places[i]);

@@ -163,6 +163,38 @@ static void pictures_go_over_into_each_other(void **state)
     }
 }
 
+/* Heights are kept from frame to frame, but not when a number changes, the picture, or one could not be read. */
+static void every_number_changes_the_heights_and_back(void **state)
+{
+    struct fixture *fixture = *state;
+    static const char *const changes[][3] = {
+        {"heightfield.scale", "2", "1"}, {"heightfield.offset", "5", "0"},
+        {"heightfield.first", "1", "0"}, {"heightfield.file", "b-%d.pfm", "a-%d.pfm"},
+        {"heightfield.rate", "3", "1"},  {"scene.loop", "1", "0"},
+    };
+    for (int number = 0; number < 3; number++) {
+        char name[32];
+        snprintf(name, sizeof name, "a-%d.pfm", number + 1);
+        write_picture(name, 2, 2, square, number + 1);
+        snprintf(name, sizeof name, "b-%d.pfm", number);
+        write_picture(name, 2, 2, square, number + 7);
+    }
+    write_picture("a-0.pfm", 2, 2, square, 4);
+    write_picture("a-3.pfm", 3, 3, square, 4);
+    set(fixture, "heightfield.file", "a-%d.pfm");
+    set(fixture, "heightfield.rate", "1");
+    for (size_t i = 0; i < sizeof changes / sizeof *changes; i++) {
+        assert_true(sample(fixture, 0.25, 0, 0).height == 12.25);
+        set(fixture, changes[i][0], changes[i][1]);
+        if (sample(fixture, 0.25, 0, 0).height == 12.25)
+            fail_msg("%s changes nothing", changes[i][0]);
+        set(fixture, changes[i][0], changes[i][2]);
+        assert_true(sample(fixture, 0.25, 0, 0).height == 12.25);
+        assert_false(prepare(fixture, 2.5));
+        EXPECT_ERROR(&fixture->log, DPL_REASON_FILE_FORMAT, "a-3.pfm");
+    }
+}
+
 /* More than are kept, in any order. */
 static void any_picture_is_found_at_any_time(void **state)
 {
@@ -193,8 +225,10 @@ static void expect_refused(struct fixture *fixture, const char *file, enum dpl_r
                            const char *accepted)
 {
     set(fixture, "heightfield.file", file);
-    assert_false(prepare(fixture, 0.5));
-    EXPECT_ERROR(&fixture->log, reason, part, accepted);
+    for (int frame = 0; frame < 2; frame++) { /* each one fails, and says so */
+        assert_false(prepare(fixture, 0.5));
+        EXPECT_ERROR(&fixture->log, reason, part, accepted);
+    }
 }
 
 static void what_is_no_height_is_refused(void **state)
@@ -229,6 +263,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(pixels_are_vertices, setup, teardown),
         cmocka_unit_test_setup_teardown(what_a_surface_is_written_as_is_read_back, setup, teardown),
         cmocka_unit_test_setup_teardown(pictures_go_over_into_each_other, setup, teardown),
+        cmocka_unit_test_setup_teardown(every_number_changes_the_heights_and_back, setup, teardown),
         cmocka_unit_test_setup_teardown(any_picture_is_found_at_any_time, setup, teardown),
         cmocka_unit_test_setup_teardown(what_is_no_height_is_refused, setup, teardown),
     };

@@ -256,6 +256,18 @@ static void every_number_changes_the_sea_and_back(void **state)
     finish(&sea);
 }
 
+/* A program's own lock without a name is one for the whole process: it may be held around any call. */
+static void no_lock_is_taken(void **state)
+{
+    struct sea sea;
+    (void)state;
+    start(&sea, "[caustics]\nmesh = 40\n[ocean]\nresolution = 32\n");
+#pragma omp critical
+    evaluate(&sea, 1);
+    assert_true(mean_square_height(&sea) > 0);
+    finish(&sea);
+}
+
 /* Where short waves have been taken away. */
 static void a_finer_grid_has_the_same_waves(void **state)
 {
@@ -330,6 +342,7 @@ int main(void)
         cmocka_unit_test(waves_run_with_the_wind_as_fast_as_gravity_has_them),
         cmocka_unit_test(a_loop_ends_where_it_began),
         cmocka_unit_test(every_number_changes_the_sea_and_back),
+        cmocka_unit_test(no_lock_is_taken),
         cmocka_unit_test(a_finer_grid_has_the_same_waves),
         cmocka_unit_test(crests_draw_together),
         cmocka_unit_test(points_of_a_wave_go_round),

@@ -176,6 +176,31 @@ static void the_ball_swims(void **state)
     }
 }
 
+static double ball_height(struct pool *pool, double time)
+{
+    double center[3];
+    ready(pool, time);
+    water_sphere_center(model_of(pool), &pool->setup, center);
+    return center[1];
+}
+
+/* Switched off in its fall, gravity leaves the ball where it is; switched on again, it takes it from rest. */
+static void a_ball_without_gravity_rests_where_it_is(void **state)
+{
+    (void)state;
+    const double tick = 1 / 60.0;
+    struct pool pool;
+    start(&pool, POOL "drops = 0\n[sphere]\nradius = 0.1\nposition = 0 0.9 0\ngravity = on\n");
+    double first = ball_height(&pool, 0), second = ball_height(&pool, 0.2), third = ball_height(&pool, 0.2 + tick);
+    assert_true(second < first);
+    support_set(pool.scene, "sphere.gravity", "off");
+    assert_true(ball_height(&pool, 1) == third);
+    support_set(pool.scene, "sphere.gravity", "on");
+    double fallen = third - ball_height(&pool, 1 + tick);
+    assert_true(fallen > 0 && fallen < (second - third) / 4);
+    finish(&pool);
+}
+
 /* What others do: a drop, the ball put elsewhere and back. */
 static void water_can_be_disturbed(void **state)
 {
@@ -221,6 +246,7 @@ int main(void)
         cmocka_unit_test(frames_between_steps_are_smooth_and_all_comes_to_rest),
         cmocka_unit_test(the_speed_of_waves_can_be_chosen),
         cmocka_unit_test(the_ball_swims),
+        cmocka_unit_test(a_ball_without_gravity_rests_where_it_is),
         cmocka_unit_test(water_can_be_disturbed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

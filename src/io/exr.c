@@ -125,6 +125,12 @@ static int64_t input_size(exr_const_context_t context, void *user)
     return (int64_t)input->length;
 }
 
+/* It has a value for every pixel. */
+static bool is_whole(const exr_attr_chlist_entry_t *channel)
+{
+    return channel->x_sampling == 1 && channel->y_sampling == 1;
+}
+
 /* The file's channels that become red, green and blue: R, G and B, or else Y, or else the only one there is. */
 static bool find_channels(exr_context_t exr, const char *names[3])
 {
@@ -135,11 +141,10 @@ static bool find_channels(exr_context_t exr, const char *names[3])
         return false;
     for (int i = 0; i < list->num_channels; i++)
         for (int k = 0; k < 4; k++)
-            if (!strcmp(list->entries[i].name.str, wanted[k]) && list->entries[i].x_sampling == 1 &&
-                list->entries[i].y_sampling == 1)
+            if (!strcmp(list->entries[i].name.str, wanted[k]) && is_whole(list->entries + i))
                 found[k] = list->entries[i].name.str;
     bool colored = found[0] && found[1] && found[2];
-    if (!found[3] && list->num_channels == 1)
+    if (!found[3] && list->num_channels == 1 && is_whole(list->entries))
         found[3] = list->entries[0].name.str;
     for (int k = 0; k < 3; k++)
         names[k] = colored ? found[k] : found[3];
@@ -193,7 +198,9 @@ static struct dpl_image *read_image(exr_context_t exr, const char *path, const s
     if (exr_get_storage(exr, 0, &storage) != EXR_ERR_SUCCESS || storage != EXR_STORAGE_SCANLINE ||
         exr_get_data_window(exr, 0, &window) != EXR_ERR_SUCCESS || !find_channels(exr, names)) {
         base_fail(log, DPL_REASON_FILE_FORMAT,
-                  "%s: an EXR of another kind (accepted: scan lines of R, G and B, of Y, or of one channel)", path);
+                  "%s: an EXR of another kind (accepted: scan lines of R, G and B, of Y, or of one channel, a value "
+                  "for each pixel)",
+                  path);
         return NULL;
     }
     long long width = (long long)window.max.x - window.min.x + 1, height = (long long)window.max.y - window.min.y + 1;

@@ -3,7 +3,6 @@
 #include "io/format.h"
 
 #include <errno.h>
-#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -33,6 +32,29 @@ struct pfm_header {
     size_t size; /* bytes, of the header itself */
 };
 
+#define DIGITS "0123456789"
+
+/* Skips white space and a number such as -1.0 or 1e-3, which strtod() would read with the point of the host's locale.
+ * Returns its sign, as -1 or 1; 0 where there is none, or where it is 0. */
+static int skip_number(const char **text)
+{
+    const char *at = *text + strspn(*text, " \t\r\n");
+    int sign = *at == '-' ? -1 : 1;
+    at += *at == '-' || *at == '+';
+    const char *first = at;
+    at += strspn(at, DIGITS);
+    at += *at == '.';
+    at += strspn(at, DIGITS);
+    bool is_zero = first + strspn(first, "0.") >= at;
+    if (*at == 'e' || *at == 'E') {
+        at++;
+        at += *at == '-' || *at == '+';
+        at += strspn(at, DIGITS);
+    }
+    *text = at;
+    return is_zero ? 0 : sign;
+}
+
 /* The header is text, and one white space ends it. A zero byte follows the file's last, so that no number is read
  * beyond it. */
 static bool read_header(struct pfm_header *header, const char *bytes, size_t length)
@@ -43,11 +65,11 @@ static bool read_header(struct pfm_header *header, const char *bytes, size_t len
     header->channels = bytes[1] == 'F' ? 3 : 1;
     header->width = strtol(bytes + 2, &end, 10);
     header->height = strtol(end, &end, 10);
-    const char *number = end;
-    double order = strtod(number, &end); /* its sign; the size means nothing here */
+    const char *after = end;
+    int order = skip_number(&after); /* its size means nothing here */
     header->little_endian = order < 0;
-    header->size = (size_t)(end - bytes) + 1;
-    return end > number && order != 0 && isfinite(order) && *end && strchr(" \t\r\n", *end);
+    header->size = (size_t)(after - bytes) + 1;
+    return order != 0 && *after && strchr(" \t\r\n", *after);
 }
 
 static float float_from(const char *bytes, bool swapped)

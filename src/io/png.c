@@ -23,6 +23,12 @@ static void report_error(png_structp png, png_const_charp text)
     png_longjmp(png, 1);
 }
 
+/* libpng itself says nothing where it gets no memory to begin with. */
+static bool fail_memory(const struct dpl_log *log, const char *path)
+{
+    return base_fail(log, DPL_REASON_LIMIT, "out of memory for %s: libpng has none", path);
+}
+
 static void ignore_warning(png_structp png, png_const_charp text)
 {
     (void)png;
@@ -49,9 +55,13 @@ static bool write_png(FILE *stream, const struct dpl_image *image, const struct 
     struct png_report report = {log, path, "", DPL_REASON_FILE_WRITE};
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &report, report_error, ignore_warning);
     png_infop info = png ? png_create_info_struct(png) : NULL;
+    if (!info) {
+        png_destroy_write_struct(&png, &info);
+        return fail_memory(log, path);
+    }
     int count = image->width * image->channels;
     png_byte *bytes = base_allocate(log, (size_t)count, 2, path);
-    if (!info || !bytes || setjmp(png_jmpbuf(png))) {
+    if (!bytes || setjmp(png_jmpbuf(png))) {
         png_destroy_write_struct(&png, &info);
         free(bytes);
         return false;
@@ -136,7 +146,7 @@ static struct dpl_image *read_png(const char *bytes, size_t length, const char *
         .report = {log, path, "cannot be read as PNG: ", DPL_REASON_FILE_FORMAT}, .bytes = bytes, .left = length};
     reading.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reading.report, report_error, ignore_warning);
     reading.info = reading.png ? png_create_info_struct(reading.png) : NULL;
-    bool ok = reading.info && read_levels(&reading);
+    bool ok = reading.info ? read_levels(&reading) : fail_memory(log, path);
     if (!ok) {
         dpl_image_destroy(reading.image);
         reading.image = NULL;

@@ -6,6 +6,7 @@
  *   3. All are read. The first says how large they are. */
 #include "base/log.h"
 #include "io/format.h"
+#include "io/numbered.h"
 #include "light/loop.h"
 
 #include <dirent.h>
@@ -20,7 +21,7 @@
 #define DIGITS "0123456789"
 #define DIGITS_MAX 9
 
-struct numbered {
+struct file {
     long number;
     char name[NAME_MAX + 1];
 };
@@ -30,7 +31,7 @@ struct listing {
     char folder[DPL_PARAM_TEXT_SIZE];
     bool any, split;                                /* `any`: the pattern comes from the files; it is there already */
     char before[NAME_MAX + 1], after[NAME_MAX + 1]; /* the number */
-    struct numbered *files;
+    struct file *files;
     int count;
 };
 
@@ -38,23 +39,23 @@ struct listing {
 static bool split_place(struct listing *listing, const char *place, const struct dpl_log *log)
 {
     struct stat status;
-    const char *slash = strrchr(place, '/'), *name = slash ? slash + 1 : place, *percent = strchr(name, '%');
-    const char *letter = percent ? percent + 1 + strspn(percent + 1, DIGITS) : NULL;
+    struct io_numbered numbered;
+    const char *slash = strrchr(place, '/'), *name = slash ? slash + 1 : place;
     listing->place = place;
     listing->any = stat(place, &status) == 0 && S_ISDIR(status.st_mode);
     if (listing->any) {
         snprintf(listing->folder, sizeof listing->folder, "%s", place);
         return true;
     }
-    if (!letter || *letter != 'd' || strchr(letter, '%'))
+    if (!io_numbered_split(&numbered, place) || !numbered.rest)
         return base_fail(log, DPL_REASON_FILE_READ,
                          "%s: no numbered pictures (accepted: the folder that holds them, or a name with one %%d or "
-                         "%%0Nd, as in loop/%%04d.exr)",
+                         "%%0Nd, N from 1 to 9, as in loop/%%04d.exr)",
                          place);
     snprintf(listing->folder, sizeof listing->folder, "%.*s", slash ? (int)(slash - place) + 1 : 1,
              slash ? place : ".");
-    snprintf(listing->before, sizeof listing->before, "%.*s", (int)(percent - name), name);
-    snprintf(listing->after, sizeof listing->after, "%s", letter + 1);
+    snprintf(listing->before, sizeof listing->before, "%.*s", (int)(place + numbered.before - name), name);
+    snprintf(listing->after, sizeof listing->after, "%s", numbered.rest);
     listing->split = true;
     return true;
 }
@@ -111,7 +112,7 @@ static bool add_file(struct listing *listing, const char *name, const struct dpl
 
 static int compare(const void *a, const void *b)
 {
-    long first = ((const struct numbered *)a)->number, second = ((const struct numbered *)b)->number;
+    long first = ((const struct file *)a)->number, second = ((const struct file *)b)->number;
     return (first > second) - (first < second);
 }
 

@@ -25,8 +25,7 @@ struct fbm {
 
 static const struct dpl_param params[] = {
     PARAM_FLOAT(struct fbm, amplitude, 0.015, 0, 10, "",
-                "F: height of the first term over twice the distance from the "
-                "middle"),
+                "F: height of the first term over twice the distance from the middle"),
     PARAM_FLOAT(struct fbm, scale, 1, 0, 1000, "radians/m²", "S: how fast the waves get denser outwards"),
     PARAM_INT(struct fbm, terms, 4, 1, 16, "", "N: terms of the series, each half as high and twice as dense"),
     PARAM_FLOAT(struct fbm, rate, 1.5, 0, 100, "radians/s", "how fast A grows; whole turns where the scene loops"),

@@ -3,6 +3,7 @@
 #include "base/file.h"
 #include "base/log.h"
 #include "io/format.h"
+#include "io/numbered.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -12,41 +13,13 @@
 #define MEMORY_MAX ((size_t)256 << 20) /* bytes of pictures that are kept */
 #define VALUE_MAX 1e6
 
-/* A name taken apart: what stands before and after its number. */
-struct pattern {
-    const char *name, *rest; /* rest NULL: there is no number */
-    int before, digits;
-};
-
-/* Takes "%d" or "%04d" in the last part of the path for the number; no such text is ever a format. */
-static bool read_pattern(struct pattern *pattern, const char *name, const struct dpl_log *log)
+static bool split_name(struct io_numbered *numbered, const char *name, const struct dpl_log *log)
 {
-    const char *slash = strrchr(name, '/'), *percent = strchr(slash ? slash : name, '%');
-    *pattern = (struct pattern){.name = name};
-    if (!percent)
-        return true;
-    const char *end = percent + 1;
-    if (end[0] == '0' && end[1] >= '1' && end[1] <= '9') {
-        pattern->digits = end[1] - '0';
-        end += 2;
-    }
-    if (*end != 'd' || strchr(end, '%'))
-        return base_fail(
-            log, DPL_REASON_VALUE,
-            "heightfield.file: not a name of numbered pictures: \"%s\" (accepted: one %%d or %%0Nd, N from "
-            "1 to 9, as in heights-%%04d.png)",
-            name);
-    pattern->before = (int)(percent - name);
-    pattern->rest = end + 1;
-    return true;
-}
-
-static void frame_path(const struct pattern *pattern, int number, char path[PATH_MAX])
-{
-    if (pattern->rest)
-        snprintf(path, PATH_MAX, "%.*s%0*d%s", pattern->before, pattern->name, pattern->digits, number, pattern->rest);
-    else
-        snprintf(path, PATH_MAX, "%s", pattern->name);
+    return io_numbered_split(numbered, name) ||
+           base_fail(log, DPL_REASON_VALUE,
+                     "heightfield.file: not a name of numbered pictures: \"%s\" (accepted: one %%d or %%0Nd, N from "
+                     "1 to 9, as in heights-%%04d.png)",
+                     name);
 }
 
 /* Checks an image and copies its first channel; a side of 0 becomes the image's. */
@@ -85,11 +58,11 @@ const float *frames_get(struct frames *frames, int frame, const struct dpl_log *
     int slot = frames->side == 0 ? 0 : frame % frames->slots;
     if (frames->slot[slot].values && frames->slot[slot].frame == frame)
         return frames->slot[slot].values;
-    struct pattern pattern;
+    struct io_numbered numbered;
     char path[PATH_MAX];
-    if (!read_pattern(&pattern, frames->name, log))
+    if (!split_name(&numbered, frames->name, log))
         return NULL;
-    frame_path(&pattern, frames->first + frame, path);
+    io_numbered_path(&numbered, frames->first + frame, path);
     struct dpl_image *image = io_read(path, log);
     bool ok = image && take_values(image, &frames->side, &frames->slot[slot].values, path, log);
     dpl_image_destroy(image);
@@ -99,23 +72,28 @@ const float *frames_get(struct frames *frames, int frame, const struct dpl_log *
     return frames->slot[slot].values;
 }
 
+bool frames_are_open(const struct frames *frames, const char *name, int first)
+{
+    return *name && !strcmp(frames->name, name) && frames->first == first;
+}
+
 bool frames_open(struct frames *frames, const char *name, int first, const struct dpl_log *log)
 {
-    struct pattern pattern;
+    struct io_numbered numbered;
     char path[PATH_MAX];
-    if (!strcmp(frames->name, name) && frames->first == first && *name)
+    if (frames_are_open(frames, name, first))
         return true;
     frames_close(frames);
     if (*name == '\0')
         return base_fail(log, DPL_REASON_VALUE,
                          "heightfield.file: \"\" (accepted: the name of a picture, or as heights-%%04d.png)");
-    if (!read_pattern(&pattern, name, log))
+    if (!split_name(&numbered, name, log))
         return false;
     strcpy(frames->name, name);
     frames->first = first;
     frames->count = 1; /* a missing first one is told when it is read */
-    for (; pattern.rest && frames->count < FRAMES_MAX; frames->count++) {
-        frame_path(&pattern, first + frames->count, path);
+    for (; numbered.rest && frames->count < FRAMES_MAX; frames->count++) {
+        io_numbered_path(&numbered, first + frames->count, path);
         if (!file_exists(path))
             break;
     }

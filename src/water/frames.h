@@ -23,6 +23,9 @@ struct frames {
  * size, their values finite. */
 bool frames_open(struct frames *frames, const char *name, int first, const struct dpl_log *log);
 
+/* True where they are open already. */
+bool frames_are_open(const struct frames *frames, const char *name, int first);
+
 /* The values of a frame, 0 to count - 1, row 0 the top row, valid until the next call. NULL where it cannot be read,
  * with the reason logged. */
 const float *frames_get(struct frames *frames, int frame, const struct dpl_log *log);

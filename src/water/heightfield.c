@@ -3,7 +3,8 @@
  * 1. Between two pictures the heights go over in a straight line.
  * 2. Between pixels they are bicubic (water/grid.h): slopes are continuous, and central differences at the pixels.
  *
- * A pixel is a vertex as in water/surface.h, so that what `dapple surface` writes is read back as it was. */
+ * A pixel is a vertex as in water/surface.h: on a grid of the picture's side, which caustics.mesh has to ask for, what
+ * `dapple surface` writes is read back as it was. */
 #include "water/frames.h"
 #include "water/grid.h"
 #include "water/water.h"
@@ -28,7 +29,8 @@ struct heightfield {
 
 static const struct dpl_param params[] = {
     PARAM_TEXT(struct heightfield, file,
-               "picture of the heights, .png .exr .pfm, square; with %04d in its name: numbered pictures"),
+               "picture of the heights, .png .exr .pfm, square; with %04d in its name: numbered pictures; set "
+               "caustics.mesh to its side for its own vertices"),
     PARAM_FLOAT(struct heightfield, scale, 1, -1000, 1000, "m",
                 "height that the value 1 of the red channel stands for"),
     PARAM_FLOAT(struct heightfield, offset, 0, -1000, 1000, "m", "height of the value 0"),
@@ -40,11 +42,20 @@ static const struct dpl_param params[] = {
     PARAM_END,
 };
 
+/* What the heights are made of, the pictures apart. */
+struct blend {
+    int frames[2]; /* those around the time */
+    double share;  /* of the second */
+    double scale, offset;
+};
+
 struct state {
     struct frames frames;
     struct height_grid grid; /* now */
     float *heights;          /* of the grid */
     int side;                /* that there is room for */
+    bool blended;            /* the heights are those of: */
+    struct blend blend;
 };
 
 static struct water_shape shape(const struct water_setup *setup)
@@ -53,13 +64,7 @@ static struct water_shape shape(const struct water_setup *setup)
     return (struct water_shape){.side = setup->mesh > 0 ? setup->mesh : SIDE, .periodic = p->periodic};
 }
 
-/* The two pictures around a time, and the share of the second. */
-struct moment {
-    int frames[2];
-    double share;
-};
-
-static struct moment moment_at(const struct water_setup *setup, int count, double time)
+static struct blend blend_at(const struct water_setup *setup, int count, double time)
 {
     const struct heightfield *p = setup->params;
     bool loops = p->loop || setup->loop > 0;
@@ -71,7 +76,7 @@ static struct moment moment_at(const struct water_setup *setup, int count, doubl
         place = (time / period - floor(time / period)) * count;
     }
     int frame = (int)fmin(floor(place), count - 1), next = frame + 1 < count ? frame + 1 : loops ? 0 : frame;
-    return (struct moment){{frame, next}, place - frame};
+    return (struct blend){{frame, next}, place - frame, p->scale, p->offset};
 }
 
 static bool make_room(struct state *state, const struct dpl_log *log)
@@ -93,18 +98,33 @@ static bool add_frame(struct state *state, int frame, double scale, const struct
     return values;
 }
 
+static bool same_blend(const struct blend *a, const struct blend *b)
+{
+    return a->frames[0] == b->frames[0] && a->frames[1] == b->frames[1] && a->share == b->share &&
+           a->scale == b->scale && a->offset == b->offset;
+}
+
+static bool make_heights(struct state *state, const struct blend *blend, const struct dpl_log *log)
+{
+    for (size_t i = 0; i < (size_t)state->side * (size_t)state->side; i++)
+        state->heights[i] = (float)blend->offset;
+    return add_frame(state, blend->frames[0], blend->scale * (1 - blend->share), log) &&
+           (!(blend->share > 0) || add_frame(state, blend->frames[1], blend->scale * blend->share, log));
+}
+
 static bool prepare(void *state_, const struct water_setup *setup, double time, const struct dpl_log *log)
 {
     struct state *state = state_;
     const struct heightfield *p = setup->params;
+    bool kept = state->blended && frames_are_open(&state->frames, p->file, p->first);
+    state->blended = false;
     if (!frames_open(&state->frames, p->file, p->first, log) || !make_room(state, log))
         return false;
-    struct moment moment = moment_at(setup, state->frames.count, time);
-    for (size_t i = 0; i < (size_t)state->side * (size_t)state->side; i++)
-        state->heights[i] = (float)p->offset;
+    struct blend blend = blend_at(setup, state->frames.count, time);
     state->grid = (struct height_grid){state->side, p->periodic, setup->size, state->heights};
-    return add_frame(state, moment.frames[0], p->scale * (1 - moment.share), log) &&
-           (!(moment.share > 0) || add_frame(state, moment.frames[1], p->scale * moment.share, log));
+    state->blended = (kept && same_blend(&blend, &state->blend)) || make_heights(state, &blend, log);
+    state->blend = blend;
+    return state->blended;
 }
 
 static const struct height_grid *grid_of(const struct water_setup *setup)

@@ -73,24 +73,16 @@ static bool prepare(void *state, const struct water_setup *setup, double time, c
 
 extern const struct water_model water_ocean;
 
-/* The state, with the surface of the time that it has been prepared for. */
-static const struct ocean_state *surface_state(const struct water_setup *setup)
-{
-    struct ocean_state *state = water_state(&water_ocean, setup, NULL);
-    ocean_waves_transform(state);
-    return state;
-}
-
 static void evaluate(const struct water_setup *setup, double time, struct surface *surface)
 {
     (void)time;
-    ocean_surface_evaluate(surface_state(setup), surface);
+    ocean_surface_evaluate(water_state(&water_ocean, setup, NULL), surface);
 }
 
 static void sample(const struct water_setup *setup, double time, struct water_points *points)
 {
     (void)time;
-    ocean_surface_sample(surface_state(setup), points);
+    ocean_surface_sample(water_state(&water_ocean, setup, NULL), points);
 }
 
 static bool draw(void *state, struct dpl_gl *gl, const struct water_setup *setup, double time,

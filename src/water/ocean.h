@@ -37,11 +37,10 @@ struct ocean_state {
     double numbers[OCEAN_NUMBERS]; /* that the waves were made from */
     double size;                   /* m, of the tile */
     double choppiness;
-    int side, modes, cascades;        /* side = 2 · modes */
-    int tiles;                        /* of four fields: one a cascade where choppy, else one for all heights */
-    int pairs;                        /* of fields that are used */
-    double clock;                     /* in seconds, or in loops */
-    bool spectrum_ready, grids_ready; /* they are those of the clock */
+    int side, modes, cascades; /* side = 2 · modes */
+    int tiles;                 /* of four fields: one a cascade where choppy, else one for all heights */
+    int pairs;                 /* of fields that are used */
+    double clock;              /* in seconds, or in loops */
 
     float (*amplitudes)[2]; /* m, complex; cascades × modes² */
     double *turns;          /* of a wave in a unit of the clock; likewise */
@@ -63,15 +62,11 @@ double ocean_density(const struct ocean *ocean, double depth, double kx, double 
 /* ω of the linear dispersion relation, rad/s; `group`: dω/dk, m/s, NULL where nobody asks. */
 double ocean_frequency(double k, double depth, double *group);
 
-/* ocean_waves.c: brings the state's waves to the setup and the time. */
+/* ocean_waves.c: brings the state's waves, `spectrum` and `grids` to the setup and the time. Those who draw on the GPU
+ * pay for the grids too, so that any thread can ask for points without a lock: less than a millisecond where the
+ * numbers are the defaults, 10 ms for four choppy cascades of 256². */
 bool ocean_waves_prepare(struct ocean_state *state, const struct water_setup *setup, double time,
                          const struct dpl_log *log);
-
-/* Makes `spectrum` that of the time. */
-void ocean_waves_move(struct ocean_state *state);
-
-/* Makes `grids` those of the time. May be called by several threads at once. */
-void ocean_waves_transform(struct ocean_state *state);
 void ocean_waves_finish(struct ocean_state *state);
 
 /* Cells of the c-th cascade's grid along the tile. */

@@ -58,7 +58,6 @@ bool ocean_gpu_draw(struct ocean_state *state, struct dpl_gl *gl, int side, stru
         !program_ready(gl, &state->texel_program, "water/ocean_surface.glsl", "") ||
         !program_ready(gl, &state->shift_program, "water/ocean_surface.glsl", "#define SHIFTS\n"))
         return false;
-    ocean_waves_move(state);
     texture_resize(gl, &state->modes_texture, GL_RGBA32F, modes, modes * state->tiles, TEXTURE_CLAMP, TEXTURE_NEAREST);
     texture_upload(gl, &state->modes_texture, state->spectrum);
     for (int i = 0; i < 2; i++)

@@ -116,33 +116,6 @@ void ocean_waves_finish(struct ocean_state *state)
     state->fft = NULL;
 }
 
-bool ocean_waves_prepare(struct ocean_state *state, const struct water_setup *setup, double time,
-                         const struct dpl_log *log)
-{
-    const struct ocean *ocean = setup->params;
-    const double numbers[OCEAN_NUMBERS] = {
-        ocean->spectrum,  ocean->wind_speed, ocean->wind_direction, ocean->fetch,     ocean->peak_enhancement,
-        ocean->spreading, ocean->amplitude,  ocean->choppiness,     ocean->smoothing, ocean->resolution,
-        ocean->cascades,  setup->size,       setup->depth,          setup->loop,      setup->seed,
-    };
-    bool same = state->fft && memcmp(numbers, state->numbers, sizeof numbers) == 0;
-    double clock = setup->loop > 0 ? time / setup->loop : time;
-    if (!same) {
-        if (!resize(state, 32 << ocean->resolution, ocean->cascades, ocean->choppiness > 0, log))
-            return false;
-        memcpy(state->numbers, numbers, sizeof numbers);
-        state->size = setup->size;
-        state->choppiness = ocean->choppiness;
-#pragma omp parallel for
-        for (int row = 0; row < state->cascades * state->modes; row++)
-            make_row(state, setup, row / state->modes, row % state->modes);
-    }
-    if (!same || clock != state->clock)
-        state->spectrum_ready = state->grids_ready = false;
-    state->clock = clock;
-    return true;
-}
-
 /* Turns a row of waves on by the clock. */
 VECTOR_CLONES static void move_row(int count, double clock, const float (*restrict amplitudes)[2],
                                    const double *restrict turns, float (*restrict moved)[2])
@@ -185,12 +158,11 @@ static void add_row(struct ocean_state *state, int cascade, int row)
     }
 }
 
-void ocean_waves_move(struct ocean_state *state)
+/* Makes `spectrum` that of the clock. */
+static void move_waves(struct ocean_state *state)
 {
     int modes = state->modes;
     size_t entries = (size_t)modes * (size_t)modes;
-    if (state->spectrum_ready)
-        return;
     memset(state->spectrum, 0, entries * (size_t)state->tiles * 4 * sizeof *state->spectrum);
     for (int cascade = 0; cascade < state->cascades; cascade++) {
         size_t first = (size_t)cascade * entries;
@@ -204,7 +176,6 @@ void ocean_waves_move(struct ocean_state *state)
         for (int row = 0; row < modes; row++)
             add_row(state, cascade, row);
     }
-    state->spectrum_ready = true;
 }
 
 /* Copies a pair's spectrum to the grid, with zeros for the waves of less than four vertices. */
@@ -220,16 +191,41 @@ static void place_pair(const struct ocean_state *state, int pair, float (*grid)[
     }
 }
 
-void ocean_waves_transform(struct ocean_state *state)
+/* Makes `grids` those of the spectrum. */
+static void transform_waves(struct ocean_state *state)
 {
-#pragma omp critical /* without a name of its own, which the library would export */
-    if (!state->grids_ready) {
-        ocean_waves_move(state);
-        for (int pair = 0; pair < state->pairs; pair++) {
-            float(*grid)[2] = state->grids + (size_t)pair * (size_t)state->side * (size_t)state->side;
-            place_pair(state, pair, grid);
-            fft_run(state->fft, grid);
-        }
-        state->grids_ready = true;
+    for (int pair = 0; pair < state->pairs; pair++) {
+        float(*grid)[2] = state->grids + (size_t)pair * (size_t)state->side * (size_t)state->side;
+        place_pair(state, pair, grid);
+        fft_run(state->fft, grid);
     }
+}
+
+bool ocean_waves_prepare(struct ocean_state *state, const struct water_setup *setup, double time,
+                         const struct dpl_log *log)
+{
+    const struct ocean *ocean = setup->params;
+    const double numbers[OCEAN_NUMBERS] = {
+        ocean->spectrum,  ocean->wind_speed, ocean->wind_direction, ocean->fetch,     ocean->peak_enhancement,
+        ocean->spreading, ocean->amplitude,  ocean->choppiness,     ocean->smoothing, ocean->resolution,
+        ocean->cascades,  setup->size,       setup->depth,          setup->loop,      setup->seed,
+    };
+    bool same = state->fft && memcmp(numbers, state->numbers, sizeof numbers) == 0;
+    double clock = setup->loop > 0 ? time / setup->loop : time;
+    if (!same) {
+        if (!resize(state, 32 << ocean->resolution, ocean->cascades, ocean->choppiness > 0, log))
+            return false;
+        memcpy(state->numbers, numbers, sizeof numbers);
+        state->size = setup->size;
+        state->choppiness = ocean->choppiness;
+#pragma omp parallel for
+        for (int row = 0; row < state->cascades * state->modes; row++)
+            make_row(state, setup, row / state->modes, row % state->modes);
+    }
+    if (same && clock == state->clock)
+        return true;
+    state->clock = clock;
+    move_waves(state);
+    transform_waves(state);
+    return true;
 }

@@ -14,6 +14,7 @@
  * A drop adds the water that it is, as in the demo: those that are thrown in by hand raise the level, for a life or
  * two. Rain and the drops at the start go up and down in turn. */
 #include "base/log.h"
+#include "base/random.h"
 #include "base/vector.h"
 #include "water/ripples.h"
 
@@ -28,15 +29,11 @@
 #define TICKS_MAX 1000000 /* of the ball, which stays where it is after more than four hours */
 #define SHALLOWEST 1e-3   /* m, of water that waves go over at √(g depth) */
 
-/* A number of 0 to 1 for each seed, drop and use (Steele, Lea & Flood 2014, "Fast splittable pseudorandom number
- * generators"). */
+/* A number of 0 to 1 for each seed, drop and use. */
 static double random_unit(const struct water_setup *setup, int64_t drop, int use)
 {
     uint64_t z = (uint64_t)setup->seed * 0xd1342543de82ef95u + (uint64_t)drop * 8 + (uint64_t)use + 1;
-    z *= 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
+    return (double)(random_mix(z * 0x9e3779b97f4a7c15u) >> 11) * 0x1p-53;
 }
 
 enum { USE_X, USE_Z, USE_RAIN_X, USE_RAIN_Z, USE_RAIN_TIME };
@@ -131,10 +128,13 @@ static void begin_calm(struct ripples_state *state, struct tank *tank, const str
     tank_calm(tank, tank_level(tank));
 }
 
-/* Moves the ball to where it is when that step begins. */
+/* Moves the ball to where it is when that step begins. Where its gravity has been switched off it stays where it has
+ * come to, at rest, until the water starts again, with the ball where the scene puts it. */
 static void move_ball(struct ripples_state *state, const struct water_setup *setup, int64_t step)
 {
     int64_t due = (int64_t)fmin(floor((double)step / (state->rate * BALL_TICK) + 1e-6) + 1, TICKS_MAX);
+    if (!setup->sphere->gravity)
+        memset(state->velocity, 0, sizeof state->velocity);
     for (; state->ticks < due; state->ticks++)
         if (setup->sphere->gravity && state->ball.radius > 0)
             ball_move(&state->ball, &state->tank.pool, state->velocity);

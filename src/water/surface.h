@@ -16,8 +16,8 @@ struct surface {
     bool periodic;
     double size;   /* m */
     float *texels; /* rows × columns × 3: height (m), slope along x, slope along z */
-    float
-        *shifts; /* rows × columns × 2: how far a vertex stands from its place at rest, along x and z (m); NULL: none */
+    /* rows × columns × 2: how far a vertex stands from its place at rest, along x and z (m); NULL: none */
+    float *shifts;
 };
 
 /* Makes the grid that size, or leaves it where it already is; `choppy`: with shifts. All zero is a valid empty surface.
