@@ -14,7 +14,7 @@
 
 #define SKY_SIDE 512 /* texels */
 #define TILES_MAX 4
-#define CELLS_MAX 192 /* a side of each tile's mesh, that of the waves where it has no more */
+#define CELLS_MAX 192   /* a side of each tile's mesh, that of the waves where it has no more */
 #define FLOOR_REACH 101 /* tiles */
 
 /* [look.sanchez-crespo] */
