@@ -253,6 +253,9 @@ static void what_is_no_height_is_refused(void **state)
     write_picture("s-1.pfm", 5, 5, bumps, 1);
     set(fixture, "heightfield.rate", "1");
     expect_refused(fixture, "s-%d.pfm", DPL_REASON_FILE_FORMAT, "s-1.pfm: 5 pixels", "as the first picture, 4");
+    write_picture("gap-0.pfm", 4, 4, bumps, 0);
+    write_picture("gap-2.pfm", 4, 4, bumps, 2);
+    expect_refused(fixture, "gap-%d.pfm", DPL_REASON_FILE_READ, "gap-1.pfm: is missing, and gap-2.pfm is there", "");
     set(fixture, "heightfield.file", "s-0.pfm"); /* all is well again */
     assert_true(prepare(fixture, 0));
 }

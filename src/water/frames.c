@@ -10,6 +10,7 @@
 #include <string.h>
 
 #define FRAMES_MAX 100000
+#define LOOK_AHEAD 100                 /* pictures */
 #define MEMORY_MAX ((size_t)256 << 20) /* bytes of pictures that are kept */
 #define VALUE_MAX 1e6
 
@@ -77,10 +78,25 @@ bool frames_are_open(const struct frames *frames, const char *name, int first)
     return *name && !strcmp(frames->name, name) && frames->first == first;
 }
 
+/* Counts pictures up to the first that is not there; others soon after it tell that one is missing. */
+static bool count_pictures(struct frames *frames, const struct io_numbered *numbered, const struct dpl_log *log)
+{
+    char path[PATH_MAX], missing[PATH_MAX];
+    do
+        io_numbered_path(numbered, frames->first + frames->count, missing);
+    while (file_exists(missing) && ++frames->count < FRAMES_MAX);
+    for (int ahead = 1; ahead <= LOOK_AHEAD; ahead++) {
+        io_numbered_path(numbered, frames->first + frames->count + ahead, path);
+        if (file_exists(path))
+            return base_fail(log, DPL_REASON_FILE_READ,
+                             "%s: is missing, and %s is there (accepted: numbers without a gap)", missing, path);
+    }
+    return true;
+}
+
 bool frames_open(struct frames *frames, const char *name, int first, const struct dpl_log *log)
 {
     struct io_numbered numbered;
-    char path[PATH_MAX];
     if (frames_are_open(frames, name, first))
         return true;
     frames_close(frames);
@@ -92,12 +108,8 @@ bool frames_open(struct frames *frames, const char *name, int first, const struc
     strcpy(frames->name, name);
     frames->first = first;
     frames->count = 1; /* a missing first one is told when it is read */
-    for (; numbered.rest && frames->count < FRAMES_MAX; frames->count++) {
-        io_numbered_path(&numbered, first + frames->count, path);
-        if (!file_exists(path))
-            break;
-    }
-    if (frames_get(frames, 0, log)) {
+    bool counted = !numbered.rest || count_pictures(frames, &numbered, log);
+    if (counted && frames_get(frames, 0, log)) {
         frames->slots = slots_for(frames->side);
         return true;
     }

@@ -34,7 +34,8 @@ const struct dpl_param water_sphere_params[] = {
     PARAM_FLOAT(struct water_sphere, radius, 0, 0, 1000, "m",
                 "of the ball, which `ripples` swim round and the look `pool` shows; 0 = there is none"),
     PARAM_FLOATS(struct water_sphere, position, 3, -10000, 10000, "m", "its middle", 0, 0, 0),
-    PARAM_BOOL(struct water_sphere, gravity, false, "it falls, swims and sinks from there on; without, it stays where it has come to"),
+    PARAM_BOOL(struct water_sphere, gravity, false,
+               "it falls, swims and sinks from there on; without, it stays where it has come to"),
     PARAM_END,
 };
 
