@@ -122,8 +122,10 @@ static inline void make_random(struct fixture *fixture, uint64_t seed, int cycle
 }
 
 /* The waves at any point. Areas are not needed. */
-static inline void sample_waves(const struct water_setup *setup, double time, struct water_points *points)
+static inline void sample_waves(const void *state, const struct water_setup *setup, double time,
+                                struct water_points *points)
 {
+    (void)state;
     const struct fixture *fixture = setup->params;
     (void)time;
     for (int i = 0; i < points->count; i++) {

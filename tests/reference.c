@@ -40,8 +40,9 @@ static void flat_water_gives_one_everywhere(void **state)
 }
 
 /* Water that moves sideways and does nothing else: crowded where it moves together, each patch then smaller. */
-static void sample_sliding(const struct water_setup *setup, double time, struct water_points *points)
+static void sample_sliding(const void *state, const struct water_setup *setup, double time, struct water_points *points)
 {
+    (void)state;
     (void)time;
     for (int i = 0; i < points->count; i++) {
         double k = 2 * M_PI / setup->size, angle = k * points->x[i];
@@ -74,8 +75,9 @@ static struct water_shape bounded_shape(const struct water_setup *setup)
     return (struct water_shape){0};
 }
 
-static void sample_flat(const struct water_setup *setup, double time, struct water_points *points)
+static void sample_flat(const void *state, const struct water_setup *setup, double time, struct water_points *points)
 {
+    (void)state;
     (void)setup;
     (void)time;
     for (int i = 0; i < points->count; i++)
@@ -116,9 +118,9 @@ static void a_window_follows_the_light(void **state)
 }
 
 /* Water that stands lower than its receiver, as a trough below the floor does: what it gets is straight above. */
-static void sample_low(const struct water_setup *setup, double time, struct water_points *points)
+static void sample_low(const void *state, const struct water_setup *setup, double time, struct water_points *points)
 {
-    sample_flat(setup, time, points);
+    sample_flat(state, setup, time, points);
     for (int i = 0; i < points->count; i++)
         points->height[i] = -0.5;
 }

@@ -137,8 +137,9 @@ static double height_at(const struct water_setup *setup, double time, int column
     return wave_functions[w->wave](w, &v, time / w->time_unit) * w->space_unit;
 }
 
-static void evaluate(const struct water_setup *setup, double time, struct surface *surface)
+static void evaluate(void *state, const struct water_setup *setup, double time, struct surface *surface)
 {
+    (void)state;
 #pragma omp parallel for
     for (int j = 0; j < surface->rows; j++)
         for (int i = 0; i < surface->columns; i++)
@@ -163,8 +164,9 @@ static void sample_point(const struct water_setup *setup, double time, double x,
     out[0] = corner + out[1] * from_x + out[2] * from_z;
 }
 
-static void sample(const struct water_setup *setup, double time, struct water_points *points)
+static void sample(const void *state, const struct water_setup *setup, double time, struct water_points *points)
 {
+    (void)state;
     for (int i = 0; i < points->count; i++) {
         double out[3];
         sample_point(setup, time, points->x[i], points->z[i], out);

@@ -15,8 +15,6 @@
 
 #include <math.h>
 
-extern const struct water_model water_fbm;
-
 struct fbm {
     double amplitude, scale;
     int terms;
@@ -80,15 +78,11 @@ VECTOR_CLONES static void fill(const struct series *series, int count, const dou
     }
 }
 
-static void sample(const struct water_setup *setup, double time, struct water_points *points)
+static void sample(const void *state, const struct water_setup *setup, double time, struct water_points *points)
 {
+    (void)state;
     struct series series = series_at(setup, time);
     fill(&series, points->count, points->x, points->z, points->height, points->slope_x, points->slope_z);
-}
-
-static void evaluate(const struct water_setup *setup, double time, struct surface *surface)
-{
-    water_fill(&water_fbm, setup, time, surface);
 }
 
 /* (A in turns, S in turns/m², F, N). */
@@ -109,7 +103,6 @@ const struct water_model water_fbm = {
     .params = params,
     .params_size = sizeof(struct fbm),
     .shape = shape,
-    .evaluate = evaluate,
     .sample = sample,
     .shader = "water/fbm.glsl",
     .constants = constants,

@@ -14,8 +14,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-extern const struct water_model water_heightfield;
-
 #define SIDE 512 /* vertices of the surface where caustics.mesh does not say */
 
 struct heightfield {
@@ -127,21 +125,18 @@ static bool prepare(void *state_, const struct water_setup *setup, double time, 
     return state->blended;
 }
 
-static const struct height_grid *grid_of(const struct water_setup *setup)
+static void evaluate(void *state_, const struct water_setup *setup, double time, struct surface *surface)
 {
-    return &((const struct state *)water_state(&water_heightfield, setup, NULL))->grid;
+    (void)setup, (void)time; /* those of prepare() */
+    const struct state *state = state_;
+    grid_fill(&state->grid, surface);
 }
 
-static void evaluate(const struct water_setup *setup, double time, struct surface *surface)
+static void sample(const void *state_, const struct water_setup *setup, double time, struct water_points *points)
 {
-    (void)time; /* the state is of that time */
-    grid_fill(grid_of(setup), surface);
-}
-
-static void sample(const struct water_setup *setup, double time, struct water_points *points)
-{
-    (void)time;
-    grid_sample(grid_of(setup), points);
+    (void)setup, (void)time;
+    const struct state *state = state_;
+    grid_sample(&state->grid, points);
 }
 
 static void finish(void *state_, struct dpl_gl *gl)

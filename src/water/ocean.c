@@ -71,18 +71,16 @@ static bool prepare(void *state, const struct water_setup *setup, double time, c
     return ocean_waves_prepare(state, setup, time, log) && ocean_surface_prepare(state, shape(setup).side, log);
 }
 
-extern const struct water_model water_ocean;
-
-static void evaluate(const struct water_setup *setup, double time, struct surface *surface)
+static void evaluate(void *state, const struct water_setup *setup, double time, struct surface *surface)
 {
-    (void)time;
-    ocean_surface_evaluate(water_state(&water_ocean, setup, NULL), surface);
+    (void)setup, (void)time; /* those of prepare() */
+    ocean_surface_evaluate(state, surface);
 }
 
-static void sample(const struct water_setup *setup, double time, struct water_points *points)
+static void sample(const void *state, const struct water_setup *setup, double time, struct water_points *points)
 {
-    (void)time;
-    ocean_surface_sample(water_state(&water_ocean, setup, NULL), points);
+    (void)setup, (void)time;
+    ocean_surface_sample(state, points);
 }
 
 static bool draw(void *state, struct dpl_gl *gl, const struct water_setup *setup, double time,

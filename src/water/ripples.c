@@ -11,8 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-extern const struct water_model water_ripples;
-
 static const char *speed_name(int i)
 {
     static const char *const names[] = {"demo", "depth", "given", NULL};
@@ -46,29 +44,29 @@ static struct water_shape shape(const struct water_setup *setup)
     return (struct water_shape){.side = ((const struct ripples *)setup->params)->side};
 }
 
-static struct height_grid shown_grid(const struct water_setup *setup)
+static struct height_grid shown_grid(const struct ripples_state *state, const struct water_setup *setup)
 {
-    const struct ripples_state *state = water_state(&water_ripples, setup, NULL);
     return (struct height_grid){state->tank.side, false, setup->size, state->shown};
 }
 
-static void evaluate(const struct water_setup *setup, double time, struct surface *surface)
+static void evaluate(void *state, const struct water_setup *setup, double time, struct surface *surface)
 {
     (void)time; /* that of prepare() */
-    struct height_grid grid = shown_grid(setup);
+    struct height_grid grid = shown_grid(state, setup);
     grid_fill(&grid, surface);
 }
 
-static void sample(const struct water_setup *setup, double time, struct water_points *points)
+static void sample(const void *state, const struct water_setup *setup, double time, struct water_points *points)
 {
     (void)time;
-    struct height_grid grid = shown_grid(setup);
+    struct height_grid grid = shown_grid(state, setup);
     grid_sample(&grid, points);
 }
 
-static void sphere(const struct water_setup *setup, double center[3])
+static void sphere(const void *memory, const struct water_setup *setup, double center[3])
 {
-    const struct ripples_state *state = water_state(&water_ripples, setup, NULL);
+    (void)setup;
+    const struct ripples_state *state = memory;
     memcpy(center, state->ball.center, sizeof state->ball.center);
 }
 

@@ -199,8 +199,9 @@ static void fill_row(const struct motion *motion, const struct turn *turns, stru
     }
 }
 
-static void evaluate(const struct water_setup *setup, double time, struct surface *surface)
+static void evaluate(void *state, const struct water_setup *setup, double time, struct surface *surface)
 {
+    (void)state;
     struct motion motion;
     struct turn turns[WATER_WAVES_MAX];
     motion_at(&motion, setup, time);
@@ -269,8 +270,9 @@ static void shift_points(const struct motion *motion, int from, int count, struc
     }
 }
 
-static void sample(const struct water_setup *setup, double time, struct water_points *points)
+static void sample(const void *state, const struct water_setup *setup, double time, struct water_points *points)
 {
+    (void)state;
     struct motion motion;
     motion_at(&motion, setup, time);
     for (int from = 0; from < points->count; from += BLOCK) {

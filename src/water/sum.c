@@ -109,8 +109,9 @@ static void second_at(const struct parts *parts, double time, int count, const d
     water_sample(parts->models[1], parts->setups + 1, time, &points);
 }
 
-static void sample(const struct water_setup *setup, double time, struct water_points *points)
+static void sample(const void *state, const struct water_setup *setup, double time, struct water_points *points)
 {
+    (void)state;
     struct parts parts = parts_of(setup);
     water_sample(parts.models[0], parts.setups, time, points);
     for (int from = 0; from < points->count; from += BLOCK) {
@@ -148,11 +149,12 @@ static void add_row(const struct parts *parts, double time, struct surface *surf
     }
 }
 
-static void evaluate(const struct water_setup *setup, double time, struct surface *surface)
+static void evaluate(void *state_, const struct water_setup *setup, double time, struct surface *surface)
 {
+    struct state *state = state_;
     struct parts parts = parts_of(setup);
     if (has_grid_of_sum(&parts, 0))
-        parts.models[0]->evaluate(parts.setups, time, surface);
+        water_evaluate_grid(parts.models[0], parts.setups, time, surface);
     else
         water_fill(parts.models[0], parts.setups, time, surface);
     if (parts.shape.choppy || !has_grid_of_sum(&parts, 1)) {
@@ -161,18 +163,17 @@ static void evaluate(const struct water_setup *setup, double time, struct surfac
             add_row(&parts, time, surface, j);
         return;
     }
-    struct surface *second = &((struct state *)water_state(&water_sum, setup, NULL))->second;
-    parts.models[1]->evaluate(parts.setups + 1, time, second);
+    water_evaluate_grid(parts.models[1], parts.setups + 1, time, &state->second);
     for (size_t i = 0; i < (size_t)surface->columns * (size_t)surface->rows * 3; i++)
-        surface->texels[i] += second->texels[i];
+        surface->texels[i] += state->second.texels[i];
 }
 
-static void sphere(const struct water_setup *setup, double center[3])
+static void sphere(const void *state, const struct water_setup *setup, double center[3])
 {
+    (void)state;
     struct parts parts = parts_of(setup);
     int k = parts.models[0]->sphere ? 0 : 1;
-    if (parts.models[k]->sphere)
-        parts.models[k]->sphere(parts.setups + k, center);
+    water_sphere_center(parts.models[k], parts.setups + k, center);
 }
 
 static void finish(void *state_, struct dpl_gl *gl)

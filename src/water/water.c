@@ -83,7 +83,7 @@ void water_sphere_center(const struct water_model *model, const struct water_set
     for (int c = 0; c < 3; c++)
         center[c] = setup->sphere->position[c];
     if (model->sphere)
-        model->sphere(setup, center);
+        model->sphere(water_state(model, setup, NULL), setup, center);
 }
 
 void water_sample(const struct water_model *model, const struct water_setup *setup, double time,
@@ -95,7 +95,7 @@ void water_sample(const struct water_model *model, const struct water_setup *set
             points->area[i] = 1;
         }
     }
-    model->sample(setup, time, points);
+    model->sample(water_state(model, setup, NULL), setup, time, points);
 }
 
 /* Vertices of a row, from column `from` on. */
@@ -134,12 +134,21 @@ void water_fill(const struct water_model *model, const struct water_setup *setup
             fill_block(model, setup, time, surface, j, from);
 }
 
+void water_evaluate_grid(const struct water_model *model, const struct water_setup *setup, double time,
+                         struct surface *surface)
+{
+    if (model->evaluate)
+        model->evaluate(water_state(model, setup, NULL), setup, time, surface);
+    else
+        water_fill(model, setup, time, surface);
+}
+
 bool water_evaluate(const struct water_model *model, const struct water_setup *setup, double time,
                     struct surface *surface, const struct dpl_log *log)
 {
     struct water_shape shape = model->shape(setup);
     if (!surface_resize(surface, shape.side, shape.side, shape.periodic, shape.choppy, setup->size, log))
         return false;
-    model->evaluate(setup, time, surface);
+    water_evaluate_grid(model, setup, time, surface);
     return true;
 }

@@ -100,12 +100,12 @@ struct water_model {
     struct water_shape (*shape)(const struct water_setup *setup);
     /* Brings the state to `time`; comes before the functions below. NULL: there is nothing to prepare. */
     bool (*prepare)(void *state, const struct water_setup *setup, double time, const struct dpl_log *log);
-    /* Fills heights and slopes of a surface that has that grid, at `time` seconds. */
-    void (*evaluate)(const struct water_setup *setup, double time, struct surface *surface);
+    /* Fills heights and slopes of a surface that has that grid, at `time` seconds. NULL: by `sample`. */
+    void (*evaluate)(void *state, const struct water_setup *setup, double time, struct surface *surface);
     /* The surface at any points, exact where the model is. May be called by several threads at once. */
-    void (*sample)(const struct water_setup *setup, double time, struct water_points *points);
+    void (*sample)(const void *state, const struct water_setup *setup, double time, struct water_points *points);
     /* Where the scene's sphere now is. NULL: where the scene has put it. */
-    void (*sphere)(const struct water_setup *setup, double center[3]);
+    void (*sphere)(const void *state, const struct water_setup *setup, double center[3]);
 
     /* The same on the GPU; all NULL: the grid is evaluated on the CPU and uploaded. Either a shader file that defines
      * `vec3 water(vec2 xz)` over `uniform vec4 constants[]` (and, for a choppy model, `vec2 water_shift(vec2 xz)`);
@@ -146,6 +146,10 @@ void water_memory_finish(struct water_memory *memory, struct dpl_gl *gl);
 
 /* Where the scene's sphere is at the time that the model has been readied for. */
 void water_sphere_center(const struct water_model *model, const struct water_setup *setup, double center[3]);
+
+/* Fills a surface that has the model's grid. */
+void water_evaluate_grid(const struct water_model *model, const struct water_setup *setup, double time,
+                         struct surface *surface);
 
 /* Gives the surface the model's grid, heights and slopes at `time`. */
 bool water_evaluate(const struct water_model *model, const struct water_setup *setup, double time,
