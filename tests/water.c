@@ -48,32 +48,10 @@ static const char *const scenes[] = {
 };
 enum { SCENES = sizeof scenes / sizeof *scenes };
 
-/* A scene, its water at one time, and what its model was asked. */
-struct water {
-    struct dpl_scene *scene;
-    const struct water_model *model;
-    struct wave waves[WATER_WAVES_MAX];
-    struct water_setup setup;
-    struct water_memory memory;
-    struct surface surface;
-    double time;
-};
-
 static void fill(struct water *water, const char *text, double time)
 {
-    *water = (struct water){.scene = support_scene(text, NULL), .time = time};
-    water->model = water_models[water->scene->medium.model];
-    water->setup = scene_water_setup(water->scene, water->waves);
-    water->setup.memory = &water->memory;
-    assert_true(water_prepare(water->model, &water->setup, time, NULL));
-    assert_true(water_evaluate(water->model, &water->setup, time, &water->surface, NULL));
-}
-
-static void finish(struct water *water)
-{
-    surface_finish(&water->surface);
-    water_memory_finish(&water->memory, NULL);
-    dpl_scene_destroy(water->scene);
+    *water = (struct water){.scene = support_scene(text, NULL)};
+    water_move(water, time);
 }
 
 static void every_water(void (*check)(struct water *water))
@@ -86,7 +64,7 @@ static void every_water(void (*check)(struct water *water))
             fill(&water, scenes[i], times[k]);
             met[water.scene->medium.model] = true;
             check(&water);
-            finish(&water);
+            water_finish(&water);
         }
     }
     for (int i = 0; water_models[i]; i++)

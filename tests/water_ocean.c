@@ -1,5 +1,6 @@
 /* The model `ocean`: the energy of its waves, how they run, that they repeat, and what choppiness does. */
 #include "support.h"
+#include "water.h"
 
 #include "scene/scene.h"
 #include "water/ocean.h"
@@ -9,44 +10,18 @@
 
 #define GRAVITY 9.81
 
-/* A scene's ocean at one time. */
-struct sea {
-    struct dpl_scene *scene;
-    const struct water_model *model;
-    struct wave waves[WATER_WAVES_MAX];
-    struct water_setup setup;
-    struct water_memory memory;
-    struct surface surface;
-};
-
-static void start(struct sea *sea, const char *text)
+static void start(struct water *sea, const char *text)
 {
-    *sea = (struct sea){.scene = support_scene(text, NULL)};
+    *sea = (struct water){.scene = support_scene(text, NULL)};
     support_set(sea->scene, "water.model", "ocean");
-    sea->model = water_models[sea->scene->medium.model];
 }
 
-static void evaluate(struct sea *sea, double time)
-{
-    sea->setup = scene_water_setup(sea->scene, sea->waves);
-    sea->setup.memory = &sea->memory;
-    assert_true(water_prepare(sea->model, &sea->setup, time, NULL));
-    assert_true(water_evaluate(sea->model, &sea->setup, time, &sea->surface, NULL));
-}
-
-static void finish(struct sea *sea)
-{
-    surface_finish(&sea->surface);
-    water_memory_finish(&sea->memory, NULL);
-    dpl_scene_destroy(sea->scene);
-}
-
-static int vertex_count(const struct sea *sea)
+static int vertex_count(const struct water *sea)
 {
     return sea->surface.columns * sea->surface.rows;
 }
 
-static double mean_square_height(const struct sea *sea)
+static double mean_square_height(const struct water *sea)
 {
     double sum = 0;
     for (int i = 0; i < vertex_count(sea); i++)
@@ -104,14 +79,14 @@ static void heights_have_the_energy_of_their_spectrum(void **state)
     static const double depths[] = {200, 200, 200, 1.5};
     (void)state;
     for (int k = 0; k < 4; k++) {
-        struct sea sea;
+        struct water sea;
         double mean = 0;
         start(&sea, sea_text);
         support_set(sea.scene, "ocean.spectrum", "%s", names[k]);
         support_set(sea.scene, "scene.depth", "%g", depths[k]);
         for (int seed = 1; seed <= 12; seed++) {
             support_set(sea.scene, "scene.seed", "%d", seed);
-            evaluate(&sea, seed * 11);
+            water_move(&sea, seed * 11);
             mean += mean_square_height(&sea) / 12;
         }
         double height = 4 * sqrt(mean), wanted = 4 * sqrt(energy_of(k < 2 ? k : 2, depths[k]));
@@ -119,7 +94,7 @@ static void heights_have_the_energy_of_their_spectrum(void **state)
             fail_msg("%s, %g m deep: significant height %.4f m, not %.4f m", names[k], depths[k], height, wanted);
         if (k == 1) /* the fetch law that the spectrum was fitted with, itself a mean over scattered seas */
             assert_true(fabs(height / (0.0016 * wind * sqrt(fetch / GRAVITY)) - 1) < 0.15);
-        finish(&sea);
+        water_finish(&sea);
     }
 }
 
@@ -134,18 +109,18 @@ static double complex wave_of(const float *numbers, int step, int side, int x, i
 }
 
 /* In heights (0) or slopes (1, 2). */
-static double complex wave_in(const struct sea *sea, int part, int x, int z)
+static double complex wave_in(const struct water *sea, int part, int x, int z)
 {
     return wave_of(sea->surface.texels + part, 3, sea->surface.columns, x, z);
 }
 
-static void check_course(struct sea *sea, int direction, int x, int z)
+static void check_course(struct water *sea, int direction, int x, int z)
 {
     const double step = 0.05, size = sea->setup.size;
     double k = 2 * M_PI * hypot(x, z) / size, frequency = frequency_of(k, sea->setup.depth);
-    evaluate(sea, 7);
+    water_move(sea, 7);
     double complex height = wave_in(sea, 0, x, z), slope_x = wave_in(sea, 1, x, z), slope_z = wave_in(sea, 2, x, z);
-    evaluate(sea, 7 + step);
+    water_move(sea, 7 + step);
     double turned = carg(wave_in(sea, 0, x, z) / height);
     if (fabs(turned + frequency * step) > 1e-5 * frequency * step)
         fail_msg("wind to %d degrees: turned by %.5f, not %.5f", direction, turned, -frequency * step);
@@ -161,15 +136,15 @@ static void waves_run_with_the_wind_as_fast_as_gravity_has_them(void **state)
     static const double depths[] = {0.1, 50};
     (void)state;
     for (int k = 0; k < 8; k++) {
-        struct sea sea;
+        struct water sea;
         int direction = k / 2 * 90, x = (int)lround(8 * cos(direction * M_PI / 180));
         start(&sea, "[scene]\nsize = 4\n[ocean]\nresolution = 64\ncascades = 1\nspreading = 0.1\nfetch = 100\n"
                     "spectrum = jonswap\n");
         support_set(sea.scene, "ocean.wind_direction", "%d", direction);
         support_set(sea.scene, "scene.depth", "%g", depths[k % 2]);
-        evaluate(&sea, 0);
+        water_move(&sea, 0);
         check_course(&sea, direction, x, (int)lround(8 * sin(direction * M_PI / 180)));
-        finish(&sea);
+        water_finish(&sea);
     }
 }
 
@@ -196,7 +171,7 @@ static void directions_spread_as_measured(void **state)
     }
 }
 
-static float *copy_of(const struct sea *sea)
+static float *copy_of(const struct water *sea)
 {
     size_t size = (size_t)vertex_count(sea) * 3 * sizeof(float);
     float *copy = malloc(size);
@@ -204,26 +179,26 @@ static float *copy_of(const struct sea *sea)
     return copy;
 }
 
-static bool same_bytes(const struct sea *sea, const float *texels)
+static bool same_bytes(const struct water *sea, const float *texels)
 {
     return memcmp(texels, sea->surface.texels, (size_t)vertex_count(sea) * 3 * sizeof *texels) == 0;
 }
 
 static void a_loop_ends_where_it_began(void **state)
 {
-    struct sea sea;
+    struct water sea;
     (void)state;
     start(&sea, "[scene]\nloop = 7.3\n[ocean]\nresolution = 32\nchoppiness = 0.5\n");
-    evaluate(&sea, 0);
+    water_move(&sea, 0);
     float *before = copy_of(&sea);
-    evaluate(&sea, 3.65);
+    water_move(&sea, 3.65);
     assert_false(same_bytes(&sea, before));
     for (int loops = 1; loops <= 1000; loops *= 10) {
-        evaluate(&sea, 7.3 * loops);
+        water_move(&sea, 7.3 * loops);
         assert_true(same_bytes(&sea, before));
     }
     free(before);
-    finish(&sea);
+    water_finish(&sea);
 }
 
 static void every_number_changes_the_sea_and_back(void **state)
@@ -238,54 +213,54 @@ static void every_number_changes_the_sea_and_back(void **state)
         {"ocean.cascades", "1", "2"},   {"ocean.resolution", "64", "32"},
         {"scene.size", "5", "4"},
     };
-    struct sea sea;
+    struct water sea;
     (void)state;
     start(&sea, "[caustics]\nmesh = 40\n[ocean]\nresolution = 32\nspectrum = tma\n");
-    evaluate(&sea, 1);
+    water_move(&sea, 1);
     float *before = copy_of(&sea);
     for (size_t i = 0; i < sizeof changes / sizeof *changes; i++) {
         support_set(sea.scene, changes[i][0], "%s", changes[i][1]);
-        evaluate(&sea, 1);
+        water_move(&sea, 1);
         if (same_bytes(&sea, before))
             fail_msg("%s changes nothing", changes[i][0]);
         support_set(sea.scene, changes[i][0], "%s", changes[i][2]);
-        evaluate(&sea, 1);
+        water_move(&sea, 1);
         assert_true(same_bytes(&sea, before));
     }
     free(before);
-    finish(&sea);
+    water_finish(&sea);
 }
 
 /* A program's own lock without a name is one for the whole process: it may be held around any call. */
 static void no_lock_is_taken(void **state)
 {
-    struct sea sea;
+    struct water sea;
     (void)state;
     start(&sea, "[caustics]\nmesh = 40\n[ocean]\nresolution = 32\n");
 #pragma omp critical
-    evaluate(&sea, 1);
+    water_move(&sea, 1);
     assert_true(mean_square_height(&sea) > 0);
-    finish(&sea);
+    water_finish(&sea);
 }
 
 /* Where short waves have been taken away. */
 static void a_finer_grid_has_the_same_waves(void **state)
 {
-    struct sea sea;
+    struct water sea;
     double most = 0, apart = 0;
     (void)state;
     start(&sea, "[caustics]\nmesh = 50\n[ocean]\nfetch = 1000\nsmoothing = 0.2\nresolution = 64\ncascades = 1\n");
-    evaluate(&sea, 3);
+    water_move(&sea, 3);
     float *coarse = copy_of(&sea);
     support_set(sea.scene, "ocean.resolution", "256");
-    evaluate(&sea, 3);
+    water_move(&sea, 3);
     for (int i = 0; i < vertex_count(&sea); i++) {
         most = fmax(most, fabs((double)coarse[3 * i]));
         apart = fmax(apart, fabs((double)coarse[3 * i] - (double)sea.surface.texels[3 * i]));
     }
     assert_true(apart > 0 && apart < 1e-4 * most);
     free(coarse);
-    finish(&sea);
+    water_finish(&sea);
 }
 
 /* A surface that moves sideways covers what it covered before, and crests are where it draws together. */
@@ -294,11 +269,11 @@ static void crests_draw_together(void **state)
     enum { POINTS = 40000 };
     static double x[POINTS], z[POINTS], out[6][POINTS];
     struct water_points points = {POINTS, x, z, out[0], out[1], out[2], out[3], out[4], out[5]};
-    struct sea sea;
+    struct water sea;
     double area = 0, together = 0, change = 0, height = 0;
     (void)state;
     start(&sea, "[ocean]\nresolution = 64\ncascades = 2\nchoppiness = 1\n");
-    evaluate(&sea, 2);
+    water_move(&sea, 2);
     for (int i = 0; i < POINTS; i++) {
         x[i] = (i % 200 / 200.0 - 0.5) * sea.setup.size;
         z[i] = (i / 200 / 200.0 - 0.5) * sea.setup.size;
@@ -312,17 +287,17 @@ static void crests_draw_together(void **state)
     }
     assert_true(fabs(area - 1) < 1e-4);
     assert_true(together < -0.5 * sqrt(height * change));
-    finish(&sea);
+    water_finish(&sea);
 }
 
 /* A wave's points go round in circles, as in deep water: a quarter of a turn ahead, along the wave. */
 static void points_of_a_wave_go_round(void **state)
 {
     static const int waves[][2] = {{5, 3}, {4, -6}, {9, 0}, {0, 7}};
-    struct sea sea;
+    struct water sea;
     (void)state;
     start(&sea, "[caustics]\nmesh = 64\n[ocean]\nresolution = 64\ncascades = 1\nchoppiness = 0.7\nspreading = 5\n");
-    evaluate(&sea, 2);
+    water_move(&sea, 2);
     for (int w = 0; w < 4; w++) {
         int x = waves[w][0], z = waves[w][1];
         double complex height = wave_in(&sea, 0, x, z), ahead = 0.7 * I * height / hypot(x, z);
@@ -331,7 +306,7 @@ static void points_of_a_wave_go_round(void **state)
         assert_true(cabs(shift_x - x * ahead) < 1e-5 * cabs(height));
         assert_true(cabs(shift_z - z * ahead) < 1e-5 * cabs(height));
     }
-    finish(&sea);
+    water_finish(&sea);
 }
 
 int main(void)

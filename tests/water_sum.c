@@ -7,31 +7,11 @@
 #include <math.h>
 
 /* One scene's water: a sum, or one of its parts. */
-struct water {
-    struct dpl_scene *scene;
-    const struct water_model *model;
-    struct wave waves[WATER_WAVES_MAX];
-    struct water_setup setup;
-    struct water_memory memory;
-    struct surface surface;
-};
-
 static void start(struct water *water, const char *model, const char *text, double time)
 {
     *water = (struct water){.scene = support_scene(text, NULL)};
     support_set(water->scene, "water.model", "%s", model);
-    water->model = water_models[water->scene->medium.model];
-    water->setup = scene_water_setup(water->scene, water->waves);
-    water->setup.memory = &water->memory;
-    assert_true(water_prepare(water->model, &water->setup, time, NULL));
-    assert_true(water_evaluate(water->model, &water->setup, time, &water->surface, NULL));
-}
-
-static void finish(struct water *water)
-{
-    surface_finish(&water->surface);
-    water_memory_finish(&water->memory, NULL);
-    dpl_scene_destroy(water->scene);
+    water_move(water, time);
 }
 
 /* Models of all kinds of grids, and what the sum's grid then is. */
@@ -80,9 +60,9 @@ static void the_second_rides_on_the_first(void **state)
         assert_int_equal(sum.surface.shifts != NULL, first.surface.shifts != NULL);
         for (int i = 0; i < 600; i++) /* more than one block of points, one by one */
             check_point(&sum, &first, &second, i * 0.00667 - 2, sin(i) * 2);
-        finish(&sum);
-        finish(&first);
-        finish(&second);
+        water_finish(&sum);
+        water_finish(&first);
+        water_finish(&second);
     }
 }
 
@@ -105,7 +85,7 @@ static void many_points_are_each_of_them(void **state)
         struct water_point point = sample_point(sum.model, &sum.setup, 2, x[i], z[i]);
         assert_true(fabs(point.height - out[0][i]) < 1e-12 && fabs(point.slope[1] - out[2][i]) < 1e-12);
     }
-    finish(&sum);
+    water_finish(&sum);
 }
 
 static void a_choppy_second_and_the_first_again_are_refused(void **state)
