@@ -14,11 +14,7 @@ static void start(struct fixture *fixture, bool es)
 {
     *fixture = (struct fixture){0};
     const struct dpl_log *log = support_log_start(&fixture->log);
-    fixture->gl = support_gl(es, log);
-    if (!dpl_gl_describe(fixture->gl)->float_render) {
-        dpl_gl_destroy(fixture->gl);
-        skip();
-    }
+    fixture->gl = support_gl_of_floats(es, log);
     assert_int_equal(dpl_gl_describe(fixture->gl)->es, es);
     fixture->on_gpu = dpl_renderer_create(fixture->gl, DPL_DEVICE_GL, log);
     fixture->on_cpu = dpl_renderer_create(NULL, DPL_DEVICE_CPU, log);

@@ -49,13 +49,9 @@ static void expect_same(const struct surfaces *surfaces)
 static void check(bool es)
 {
     struct support_log log;
-    struct dpl_gl *gl = support_gl(es, support_log_start(&log));
+    struct dpl_gl *gl = support_gl_of_floats(es, support_log_start(&log));
     struct surfaces surfaces = {0};
     struct water_memory memory = {0};
-    if (!gl->info.float_render) {
-        dpl_gl_destroy(gl);
-        skip();
-    }
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
         struct wave waves[WATER_WAVES_MAX];
         struct dpl_scene *scene = support_scene(scenes[i], &log.log);

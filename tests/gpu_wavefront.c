@@ -32,11 +32,7 @@ static void start(struct fixture *fixture, bool es)
 {
     *fixture = (struct fixture){0};
     const struct dpl_log *log = support_log_start(&fixture->log);
-    fixture->gl = support_gl(es, log);
-    if (!dpl_gl_describe(fixture->gl)->float_render) {
-        dpl_gl_destroy(fixture->gl);
-        skip();
-    }
+    fixture->gl = support_gl_of_floats(es, log);
     fixture->renderer = dpl_renderer_create(fixture->gl, DPL_DEVICE_GL, log);
     start_scene(fixture);
 }
