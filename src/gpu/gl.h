@@ -39,8 +39,10 @@
     X(PFNGLDISABLEPROC, Disable)                                                                                       \
     X(PFNGLDRAWARRAYSPROC, DrawArrays)                                                                                 \
     X(PFNGLDRAWARRAYSINSTANCEDPROC, DrawArraysInstanced)                                                               \
+    X(PFNGLDRAWBUFFERSPROC, DrawBuffers)                                                                               \
     X(PFNGLDRAWELEMENTSPROC, DrawElements)                                                                             \
     X(PFNGLENABLEPROC, Enable)                                                                                         \
+    X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray)                                                       \
     X(PFNGLENDQUERYPROC, EndQuery)                                                                                     \
     X(PFNGLFINISHPROC, Finish)                                                                                         \
     X(PFNGLFRAMEBUFFERRENDERBUFFERPROC, FramebufferRenderbuffer)                                                       \
@@ -80,10 +82,11 @@
     X(PFNGLUNIFORM4FVPROC, Uniform4fv)                                                                                 \
     X(PFNGLUNIFORMMATRIX4FVPROC, UniformMatrix4fv)                                                                     \
     X(PFNGLUSEPROGRAMPROC, UseProgram)                                                                                 \
+    X(PFNGLVERTEXATTRIBPOINTERPROC, VertexAttribPointer)                                                               \
     X(PFNGLVIEWPORTPROC, Viewport)
 
 #define GPU_FALLBACKS_MAX 8
-#define GPU_TEXTURE_UNITS 8 /* that dapple binds textures to */
+#define GPU_TEXTURE_UNITS 16 /* that dapple binds textures to */
 
 struct dpl_gl {
 #define GPU_MEMBER(type, name) type name;

@@ -101,7 +101,8 @@ struct dpl_image *dpl_renderer_surface(struct dpl_renderer *renderer, const stru
 struct dpl_image *dpl_renderer_slice(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time,
                                      int slice)
 {
-    int slices = scene_receivers(scene, renderer->lighting.receivers);
+    double receivers[LIGHT_SLICES_MAX];
+    int slices = scene_receivers(scene, receivers);
     if (slice < 0 || slice >= slices) {
         base_fail(renderer->log, DPL_REASON_RANGE,
                   "slice: out of range: \"%d\" (accepted: 0 to %d, as caustics.slices says)", slice, slices - 1);
@@ -191,7 +192,9 @@ static bool draw_frame(struct dpl_renderer *renderer, const struct dpl_scene *sc
         .setup = &renderer->lighting.setup,
         .surface = &renderer->lighting.surface_gpu,
         .above = lighting_above(&renderer->lighting),
-        .windows = renderer->lighting.windows,
+        .windows = renderer->lighting.below.windows,
+        .reflected = renderer->lighting.maps[LIT_REFLECTED].shown,
+        .reflected_windows = renderer->lighting.above.windows,
         .sand = &renderer->sand.color,
         .timer = &renderer->timer,
     };
@@ -285,15 +288,15 @@ bool dpl_renderer_measure(struct dpl_renderer *renderer, struct dpl_measure *mea
         return base_fail(renderer->log, DPL_REASON_UNSUPPORTED, "nothing to measure: the last frame compared nothing");
     gpu_enter(renderer->gl);
     bool physical = true, ok = true;
-    struct dpl_image *images[LIT_MAPS];
-    for (int i = 0; i < LIT_MAPS; i++) {
+    struct dpl_image *images[2];
+    for (int i = 0; i < 2; i++) {
         images[i] = lighting_image(&renderer->lighting, maps + i, 0);
         physical = physical && light_techniques[maps[i].technique]->physical;
         ok = ok && images[i];
     }
     ok = ok && dpl_measure_map(images[LIT_SCENE], images[LIT_OTHER], !physical, maps[LIT_OTHER].map.noise, measure,
                                renderer->log);
-    for (int i = 0; i < LIT_MAPS; i++)
+    for (int i = 0; i < 2; i++)
         dpl_image_destroy(images[i]);
     return leave(renderer, 0) && ok;
 }

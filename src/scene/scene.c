@@ -192,22 +192,30 @@ int scene_receivers(const struct dpl_scene *scene, double heights[LIGHT_SLICES_M
     return count;
 }
 
-void scene_windows(const struct dpl_scene *scene, bool periodic, struct ray_window windows[LIGHT_SLICES_MAX])
+int scene_reflected(const struct dpl_scene *scene, double heights[LIGHT_SLICES_MAX])
+{
+    int count = scene->caustics.reflected_slices;
+    for (int k = 0; k < count; k++)
+        heights[k] = scene->caustics.reflected_height * (k + 1) / count;
+    return count;
+}
+
+void scene_windows(const struct dpl_scene *scene, bool periodic, const double *heights, int count,
+                   struct ray_window *windows)
 {
     const double up[3] = {0, 1, 0}, flattest = 1e-3; /* of a ray: lower ones leave the window where it is */
-    double receivers[LIGHT_SLICES_MAX], to_sun[3], ray[3], size = scene->settings.size;
+    double to_sun[3], ray[3], size = scene->settings.size;
     double margin = periodic ? 0 : scene->caustics.margin * size;
     bool follows = !periodic && scene->caustics.window == LIGHT_WINDOW_LIGHT;
-    int count = scene_receivers(scene, receivers);
     optics_sun_direction(&scene->sun, to_sun);
     for (int k = 0; k < count; k++) {
         double along[2] = {0, 0};
-        if (receivers[k] > 0)
+        if (heights[k] > 0)
             optics_reflect(to_sun, up, ray);
         else
             optics_refract(to_sun, up, scene->medium.ior, ray);
         for (int a = 0; a < 2 && follows && fabs(ray[1]) > flattest; a++)
-            along[a] = ray[2 * a] / ray[1] * receivers[k];
+            along[a] = ray[2 * a] / ray[1] * heights[k];
         windows[k] = (struct ray_window){along[0] - size / 2 - margin, along[1] - size / 2 - margin, size + 2 * margin};
     }
 }

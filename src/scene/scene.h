@@ -51,8 +51,12 @@ struct dpl_scene {
 /* The heights of the receivers that the scene asks light for; returns how many, 1 to LIGHT_SLICES_MAX. */
 int scene_receivers(const struct dpl_scene *scene, double heights[LIGHT_SLICES_MAX]);
 
-/* The squares of the receivers that the scene's maps show; those of periodic water are the tile. */
-void scene_windows(const struct dpl_scene *scene, bool periodic, struct ray_window windows[LIGHT_SLICES_MAX]);
+/* The same of those that get light thrown back, beside them; 0 to LIGHT_SLICES_MAX. */
+int scene_reflected(const struct dpl_scene *scene, double heights[LIGHT_SLICES_MAX]);
+
+/* The squares of receivers that the scene's maps show; those of periodic water are the tile. */
+void scene_windows(const struct dpl_scene *scene, bool periodic, const double *heights, int count,
+                   struct ray_window *windows);
 
 /* The parts of a scene that a water model sees. `waves` is room for WATER_WAVES_MAX, filled with those present. */
 struct water_setup scene_water_setup(const struct dpl_scene *scene, struct wave *waves);
