@@ -7,6 +7,7 @@
 #include "render/lighting.h"
 #include "render/sand.h"
 #include "render/thumbnail.h"
+#include "render/tone.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -25,6 +26,7 @@ struct dpl_renderer {
     struct sand sand;
     void *look_states[SCENE_LOOKS_MAX]; /* made when first used */
     struct gpu_target target;
+    struct tone tone;
     struct thumbnails thumbnails;
     unsigned char *pixels; /* a picture on its way back from the GPU */
     size_t pixels_size;
@@ -53,6 +55,7 @@ void dpl_renderer_destroy(struct dpl_renderer *renderer)
         difference_finish(gl, &renderer->difference);
         sand_finish(gl, &renderer->sand);
         target_finish(gl, &renderer->target);
+        tone_finish(gl, &renderer->tone);
         thumbnails_finish(gl, &renderer->thumbnails);
         for (int i = 0; scene_looks[i]; i++)
             if (renderer->look_states[i])
@@ -134,7 +137,9 @@ static void draw_part(struct dpl_renderer *renderer, struct frame *frame, const 
 {
     const int look = frame->scene->render.look;
     frame->map = lit->shown;
-    renderer->gl->Scissor(left, 0, right - left, renderer->target.height);
+    frame->left = left;
+    frame->right = right;
+    renderer->gl->Scissor(left, 0, right - left, frame->height);
     set_wireframe(renderer->gl, frame->scene->render.wireframe);
     if (left < right)
         scene_looks[look]->draw(renderer->look_states[look], frame);
@@ -146,7 +151,7 @@ static bool draw_picture(struct dpl_renderer *renderer, struct frame *frame)
 {
     const struct dpl_compare *compare = &renderer->compare;
     const struct lit_map *maps = renderer->lighting.maps;
-    int width = renderer->target.width, split = width;
+    int width = frame->width, split = width;
     if (compare->mode == DPL_COMPARE_DIFFERENCE) {
         frame->map = maps[LIT_SCENE].shown;
         return difference_draw(&renderer->difference, frame, maps[LIT_OTHER].shown, compare->gain, compare->range);
@@ -170,6 +175,54 @@ static bool prepare_look(struct dpl_renderer *renderer, const struct frame *fram
     return *state && look->prepare(*state, frame);
 }
 
+/* Points the frame's view through a place of the pixel, -0.5 to 0.5 each way. */
+static void move_view(struct frame *frame, const double place[2])
+{
+    const struct scene_camera *camera = &frame->scene->camera;
+    const double across[2] = {2 * place[0] / frame->width, 2 * place[1] / frame->height};
+    frame->rays = camera_rays(camera, frame->width, frame->height);
+    camera_matrix(camera, frame->width, frame->height, frame->view_projection);
+    for (int c = 0; c < 3; c++)
+        frame->rays.ahead[c] += across[0] * frame->rays.right[c] + across[1] * frame->rays.up[c];
+    for (int column = 0; column < 4; column++)
+        for (int a = 0; a < 2; a++)
+            frame->view_projection[column * 4 + a] -= (float)across[a] * frame->view_projection[column * 4 + 3];
+}
+
+/* A picture of a look with linear light: the mean of its samples, shown by the tone pass. */
+static bool draw_linear(struct dpl_renderer *renderer, struct frame *frame)
+{
+    struct dpl_gl *gl = renderer->gl;
+    struct tone *tone = &renderer->tone;
+    const double black[3] = {0, 0, 0};
+    int samples = frame->scene->render.samples;
+    if (!tone_ready(gl, tone, frame->width, frame->height))
+        return false;
+    for (int i = 0; i < samples; i++) {
+        double place[2];
+        tone_place(i, samples, place);
+        move_view(frame, place);
+        target_begin(gl, &tone->radiance, black);
+        if (!draw_picture(renderer, frame))
+            return false;
+        timer_pass(&renderer->timer, "samples");
+        tone_add(gl, tone, i);
+    }
+    timer_pass(&renderer->timer, "tone");
+    target_begin(gl, &renderer->target, black);
+    tone_show(gl, tone, frame->scene);
+    return true;
+}
+
+static bool draw_encoded(struct dpl_renderer *renderer, struct frame *frame)
+{
+    target_begin(renderer->gl, &renderer->target, frame->scene->render.background);
+    bool ok = draw_picture(renderer, frame);
+    timer_pass(&renderer->timer, "finish");
+    target_resolve(renderer->gl, &renderer->target);
+    return ok;
+}
+
 /* Surface, light and look into the renderer's own target. */
 static bool draw_frame(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time, int width, int height)
 {
@@ -177,11 +230,12 @@ static bool draw_frame(struct dpl_renderer *renderer, const struct dpl_scene *sc
     if (!gl)
         return base_fail(renderer->log, DPL_REASON_NO_GL, "a picture needs OpenGL, and there is none");
     timer_frame(&renderer->timer);
+    bool linear = scene_looks[scene->render.look]->linear;
     bool compares = renderer->compare.mode != DPL_COMPARE_NOTHING;
     renderer->compared = false;
     if (!lighting_make(&renderer->lighting, scene, time, compares ? renderer->compare.technique : -1, true) ||
         (scene_looks[scene->render.look]->sand && !sand_update(gl, &renderer->sand, scene)) ||
-        !target_resize(gl, &renderer->target, width, height, scene->render.samples))
+        !target_resize(gl, &renderer->target, GL_RGBA8, width, height, linear ? 1 : scene->render.samples))
         return false;
     renderer->compared = compares;
     struct frame frame = {
@@ -196,20 +250,15 @@ static bool draw_frame(struct dpl_renderer *renderer, const struct dpl_scene *sc
         .reflected = renderer->lighting.maps[LIT_REFLECTED].shown,
         .reflected_windows = renderer->lighting.above.windows,
         .sand = &renderer->sand.color,
+        .width = width,
+        .height = height,
         .timer = &renderer->timer,
     };
     renderer->has_sphere = scene->sphere.radius > 0;
     water_sphere_center(water_models[scene->medium.model], &renderer->lighting.setup, renderer->sphere);
     memcpy(frame.sphere, renderer->sphere, sizeof frame.sphere);
-    camera_matrix(&scene->camera, width, height, frame.view_projection);
-    frame.rays = camera_rays(&scene->camera, width, height);
-    if (!prepare_look(renderer, &frame))
-        return false;
-    target_begin(gl, &renderer->target, scene->render.background);
-    bool ok = draw_picture(renderer, &frame);
-    timer_pass(&renderer->timer, "finish");
-    target_resolve(gl, &renderer->target);
-    return ok;
+    move_view(&frame, (const double[2]){0, 0});
+    return prepare_look(renderer, &frame) && (linear ? draw_linear : draw_encoded)(renderer, &frame);
 }
 
 bool dpl_renderer_draw(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time, unsigned framebuffer,

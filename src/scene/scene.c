@@ -22,6 +22,9 @@ static const struct dpl_param camera_params[] = {
     PARAM_FLOAT(struct scene_camera, field_of_view, 45, 1, 150, "degrees", "height of the view"),
     PARAM_FLOAT(struct scene_camera, near_plane, 0.1, 0.001, 9, "m", "nothing nearer is seen"),
     PARAM_FLOAT(struct scene_camera, far_plane, 100, 10, 100000, "m", "nothing farther is seen"),
+    PARAM_FLOAT(struct scene_camera, exposure, 0, -20, 20, "stops",
+                "of looks with linear light: each stop doubles the picture's brightness; at 0 what is white in full "
+                "daylight is near white"),
     PARAM_END,
 };
 
@@ -32,12 +35,21 @@ static const struct dpl_param floor_params[] = {
     PARAM_END,
 };
 
+static const char *tone_name(int i)
+{
+    static const char *const names[] = {"filmic", "linear", NULL};
+    return names[i];
+}
+
 static const struct dpl_param render_params[] = {
     PARAM_CHOICE(struct scene_render, look, 0, scene_look_name, "how the scene is shaded"),
     PARAM_COLOR(struct scene_render, background, 1, "colour where there is nothing", 51.0 / 255, 71.0 / 255,
                 79.0 / 255),
     PARAM_INT(struct scene_render, samples, 1, 1, 16, "",
               "samples a pixel, for smooth edges; the device takes the next number that it has"),
+    PARAM_CHOICE(struct scene_render, tone, SCENE_TONE_FILMIC, tone_name,
+                 "of looks with linear light: filmic = highlights roll off as on film; linear = what is too bright is "
+                 "cut off"),
     PARAM_BOOL(struct scene_render, wireframe, false, "draw only the edges of triangles"),
     PARAM_END,
 };

@@ -16,6 +16,7 @@ struct scene_camera {
     double position[3], target[3];
     double field_of_view; /* degrees, vertical */
     double near_plane, far_plane;
+    double exposure; /* stops */
 };
 
 struct scene_floor {
@@ -23,10 +24,13 @@ struct scene_floor {
     double contrast, grain;
 };
 
+enum scene_tone { SCENE_TONE_FILMIC, SCENE_TONE_LINEAR };
+
 struct scene_render {
     int look; /* index into scene_looks */
     double background[3];
     int samples;
+    int tone; /* enum scene_tone */
     bool wireframe;
 };
 
