@@ -78,6 +78,7 @@
     X(PFNGLUNIFORM1FPROC, Uniform1f)                                                                                   \
     X(PFNGLUNIFORM1IPROC, Uniform1i)                                                                                   \
     X(PFNGLUNIFORM2FPROC, Uniform2f)                                                                                   \
+    X(PFNGLUNIFORM2IPROC, Uniform2i)                                                                                   \
     X(PFNGLUNIFORM3FPROC, Uniform3f)                                                                                   \
     X(PFNGLUNIFORM4FVPROC, Uniform4fv)                                                                                 \
     X(PFNGLUNIFORMMATRIX4FVPROC, UniformMatrix4fv)                                                                     \

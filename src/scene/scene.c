@@ -12,6 +12,9 @@ static const struct dpl_param settings_params[] = {
     PARAM_FLOAT(struct scene_settings, size, 4, 0.01, 10000, "m", "side of the square tile of water"),
     PARAM_FLOAT(struct scene_settings, depth, 1, 0, 1000, "m", "from the rest surface down to the floor"),
     PARAM_FLOAT(struct scene_settings, loop, 0, 0, 3600, "s", "every wave repeats after this time; 0 = no loop"),
+    PARAM_FLOAT(struct scene_settings, extent, 0, 0, 10000, "m",
+                "side of the square of water that there is (look = physical); 0 = to the horizon, or the tile where it "
+                "is bounded"),
     PARAM_INT(struct scene_settings, seed, 1, 0, 1000000, "", "start of everything random (grains of sand, photons)"),
     PARAM_END,
 };

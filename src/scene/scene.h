@@ -9,6 +9,7 @@
 
 struct scene_settings {
     double size, depth, loop;
+    double extent; /* m; 0: without end, or the tile */
     int seed;
 };
 

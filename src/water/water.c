@@ -27,6 +27,8 @@ const struct dpl_param water_medium_params[] = {
         "refractive index of blue light less that of red; 0.006 in clear water; above 0 costs three times the time"),
     PARAM_FLOATS(struct water_medium, absorption, 3, 0, 100, "1/m", "absorption coefficient in red, green and blue",
                  0.35, 0.07, 0.03),
+    PARAM_FLOAT(struct water_medium, roughness, 0.02, 0, 0.5, "",
+                "slopes (RMS) of ripples too fine for the grid, which widen the sun's glints (look = physical)"),
     PARAM_END,
 };
 

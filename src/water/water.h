@@ -19,6 +19,7 @@ struct water_medium {
     double ior;           /* refractive index of green light */
     double dispersion;    /* refractive index of blue light less that of red */
     double absorption[3]; /* 1/m, red green blue */
+    double roughness;     /* root mean square of slopes too fine for the grid */
 };
 extern const struct dpl_param water_medium_params[];
 
