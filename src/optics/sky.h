@@ -8,6 +8,8 @@
 #include "base/param.h"
 #include "optics/sun.h"
 
+#include <stdint.h>
+
 /* Section [sky]. */
 enum sky_model { SKY_CLEAR, SKY_OVERCAST, SKY_ENVIRONMENT };
 struct optics_sky_settings {
