@@ -5,7 +5,7 @@
 
 #include "base/sine.h"
 
-#define BOUNCES 2 /* of the sky's light; of the sun's one more */
+#define BOUNCES 3
 #define LIFT 1e-3 /* m that a path starts above its surface, which may be met by others there */
 
 /* The i-th of `rays` directions about a normal, as Lambert's law has it: a Fibonacci spiral, turned by a share of a
