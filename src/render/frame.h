@@ -21,7 +21,8 @@ struct frame {
     const struct gpu_texture *reflected;        /* those of light that is thrown back; NULL: none */
     const struct ray_window *reflected_windows; /* that they show */
     const struct gpu_texture *sand;             /* of looks that ask for it */
-    int width, height;                          /* pixels */
+    const struct gpu_target *target; /* that is bound when draw() is called */
+    int width, height;               /* pixels */
     int left, right;                            /* columns of the picture to draw; the scissor box is set to them */
     float view_projection[16];                  /* columns; world to clip space */
     struct camera_rays rays;

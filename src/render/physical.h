@@ -22,6 +22,8 @@ struct physical_settings {
     bool caustics, shafts;
 };
 
+#define SHADOW_WAVES 0.02 /* m that waves spread light for each m of depth: a quarter of their slope */
+
 enum physical_layer { LAYER_DIRECT, LAYER_THROUGH, LAYER_MIRROR, LAYERS };
 
 /* Texture units, the same in every pass. */
@@ -103,10 +105,14 @@ struct physical {
     struct physical_light light;
     struct quality quality;
     double side; /* 1: the eye is above the water, -1: in it */
+    bool has_shafts;
 };
 
 /* Sets every uniform and texture that more than one pass uses, in the program in use. */
 void physical_bind(const struct physical *physical, const struct frame *frame, const struct gpu_program *program);
+
+/* The layers, and the light shafts, once they are drawn. */
+void physical_bind_layers(const struct physical *physical, const struct frame *frame, const struct gpu_program *program);
 
 /* The light of the scene, from its sky. */
 struct physical_light physical_light(const struct optics_sky *sky, const struct frame *frame);
@@ -116,7 +122,7 @@ void shadow_draw(struct shadow *shadow, const struct frame *frame, const struct 
 void shadow_finish(struct shadow *shadow, struct dpl_gl *gl);
 
 /* Solids: `ambient` is the irradiance from all around at each vertex. */
-bool solids_prepare(struct solids *solids, struct dpl_gl *gl, const struct world *world);
+bool solids_prepare(struct solids *solids, struct dpl_gl *gl);
 void solids_upload(struct solids *solids, struct dpl_gl *gl, const struct world *world, const float *ambient);
 /* Draws what is in the water (wet), or what is not, into a layer. */
 void solids_draw(const struct physical *physical, const struct frame *frame, enum physical_layer layer, bool wet);

@@ -250,6 +250,7 @@ static bool draw_frame(struct dpl_renderer *renderer, const struct dpl_scene *sc
         .reflected = renderer->lighting.maps[LIT_REFLECTED].shown,
         .reflected_windows = renderer->lighting.above.windows,
         .sand = &renderer->sand.color,
+        .target = linear ? &renderer->tone.radiance : &renderer->target,
         .width = width,
         .height = height,
         .timer = &renderer->timer,

@@ -52,6 +52,6 @@ void main()
         vec3 light = solid_before_sun(point) ? vec3(0.0) : light_here(point, max(way * pixel, 0.5 * step_way * 0.1), random.y);
         sum += (light - 1.0) * volume_sun(max(-point.y, 0.0)) * exp(-extinction * way) * step_way;
     }
-    color = vec4(scattering * sun_below * volume_phase(dot(sun_way, -ray)) * sum, end);
+    color = vec4(scattering * sun_below * optics_phase(dot(sun_way, -ray), asymmetry) * sum, end);
 }
 #endif

@@ -3,6 +3,8 @@
  * Sea water scatters so much forwards that what it scatters within a few degrees may count as not scattered at all: the
  * phase function is a peak, share g², and a smooth rest of asymmetry g / (1 + g) (Joseph, Wiscombe & Weinman 1976, eqs.
  * 2, 5). `extinction` is absorption and scattering without the peak. */
+#include "optics/phase.glsl"
+
 uniform vec3 extinction, scattering; /* 1/m, of the rest alone */
 uniform vec3 diffuse_extinction;     /* 1/m of depth, of light from all around */
 uniform float asymmetry;             /* of the rest */
@@ -11,13 +13,6 @@ uniform vec3 sun_below;              /* irradiance across sun_way just below fla
 uniform vec3 diffuse_below;          /* irradiance of light from all around, on a horizontal surface there */
 
 const float VOLUME_PI = 3.14159265;
-
-/* Henyey & Greenstein 1941, eq. 2, of the cosine between the ways before and after. */
-float volume_phase(float cosine)
-{
-    float g = asymmetry, base = 1.0 + g * g - 2.0 * g * cosine;
-    return (1.0 - g * g) / (4.0 * VOLUME_PI * base * sqrt(base));
-}
 
 /* The integral of exp(-rate s) for s from 0 to `way`. */
 vec3 volume_integral(vec3 rate, float way)
@@ -47,7 +42,7 @@ vec3 volume_glow(vec3 start, vec3 ray, float way)
     float depth = max(-start.y, 0.0);
     vec3 sun_rate = extinction * (1.0 - ray.y / -sun_way.y), diffuse_rate = extinction - diffuse_extinction * ray.y;
     /* light comes along sun_way and goes on along -ray */
-    vec3 sun = sun_below * volume_sun(depth) * volume_phase(dot(sun_way, -ray));
+    vec3 sun = sun_below * volume_sun(depth) * optics_phase(dot(sun_way, -ray), asymmetry);
     vec3 diffuse = volume_diffuse(depth) / (2.0 * VOLUME_PI);
     return scattering * (sun * volume_integral(sun_rate, way) + diffuse * volume_integral(diffuse_rate, way));
 }
