@@ -71,7 +71,7 @@ static void sun_through_flat_water(void **state)
     struct place *place = *state;
     shine(place, 0, 2);
     place->world.water.present = true;
-    place->world.water.absorption[1] = 0.4;
+    place->world.water.optics.absorption[1] = 0.4;
     place->floor[1] = 0.01;
     place->world.sun.radius = 0;
     double sine = sin(M_PI / 3), inside = sqrt(1 - pow(cos(M_PI / 3) / 1.333, 2));
@@ -100,7 +100,7 @@ static void threads_do_not_show(void **state)
     shine(place, 1, 5);
     place->world.water.present = true;
     for (int c = 0; c < 3; c++)
-        place->world.water.scattering[c] = place->world.water.absorption[c] = 0.1 * (1 + c);
+        place->world.water.optics.scattering[c] = place->world.water.optics.absorption[c] = 0.1 * (1 + c);
     put_box(place, (const double[3]){-1, -0.5, -1}, (const double[3]){1, 0.5, 1}, false);
     for (int i = 0; i < COUNT; i++) {
         for (int c = 0; c < 3; c++)

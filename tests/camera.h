@@ -17,7 +17,15 @@ struct place {
     double solids[3];
     float positions[24 * 3], normals[24 * 3];
     unsigned indices[36];
+    struct surface water;
 };
+
+/* A mesh of the water, flat; the caller may fill it with waves. */
+static inline struct surface *at_rest(struct place *place)
+{
+    assert_true(surface_resize(&place->water, 512, 512, true, false, place->world.size, NULL));
+    return &place->water;
+}
 
 static inline void floor_reflectance(const void *user, double x, double z, double out[3])
 {
@@ -76,7 +84,9 @@ static inline int setup(void **state)
 
 static inline int teardown(void **state)
 {
-    free(*state);
+    struct place *place = *state;
+    surface_finish(&place->water);
+    free(place);
     return 0;
 }
 

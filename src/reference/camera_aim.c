@@ -1,6 +1,8 @@
 #include "reference/camera_aim.h"
 
+#include "reference/camera_crossing.h"
 #include "reference/camera_medium.h"
+#include "reference/draws.h"
 
 #include "optics/refraction.h"
 
@@ -60,19 +62,22 @@ static void follow(struct ways *ways, const struct camera_scene *scene, const do
     vector3_copy(direction_, direction);
     for (int i = 0; i < MEETINGS && seen > LEAST; i++) {
         struct camera_hit hit = camera_scene_hit(scene, place, direction);
-        if (wet && vector3_most(water->scattering) > 0) {
+        if (wet && vector3_most(water->optics.scattering) > 0) {
             double distance, middle[3];
             camera_medium_place(water, hit.distance, draws_next(draws), &distance);
             vector3_along(place, direction, distance, middle);
             add_ways(ways, scene, middle, true, draws);
         }
-        seen *= wet ? camera_medium_most(water, hit.distance) : 1;
+        seen *= wet ? camera_medium_most_left(water, hit.distance) : 1;
         if (hit.what == CAMERA_SOLID && seen > LEAST)
             add_ways(ways, scene, hit.position, wet, draws);
         if (hit.what != CAMERA_WATER)
             return;
         vector3_copy(hit.position, place);
-        wet = camera_scene_cross(scene, &hit, direction, wet, draws_next(draws));
+        struct camera_crossing crossing = camera_crossing(&hit, direction, water->ior[1]);
+        bool reflects = draws_next(draws) < fmax(crossing.reflectance, 0.5); /* what is mirrored is seen too */
+        vector3_copy(reflects ? crossing.reflected : crossing.refracted, direction);
+        wet = crossing.wet == reflects;
     }
 }
 

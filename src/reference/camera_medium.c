@@ -3,10 +3,11 @@
 #include "reference/vector3.h"
 
 #include "base/sine.h"
+#include "optics/phase.h"
 
 static double extinction(const struct camera_water *water, int color)
 {
-    return water->absorption[color] + water->scattering[color];
+    return water->optics.absorption[color] + water->optics.scattering[color];
 }
 
 double camera_medium_left(const struct camera_water *water, int color, double length)
@@ -14,20 +15,15 @@ double camera_medium_left(const struct camera_water *water, int color, double le
     return exp(-extinction(water, color) * length);
 }
 
-double camera_medium_phase(double anisotropy, double cosine)
+double camera_medium_most_left(const struct camera_water *water, double length)
 {
-    double g = anisotropy, below = 1 + g * g - 2 * g * cosine;
-    return (1 - g * g) / (4 * M_PI * below * sqrt(below));
+    return fmax(fmax(camera_medium_left(water, 0, length), camera_medium_left(water, 1, length)),
+                camera_medium_left(water, 2, length));
 }
 
 void camera_medium_turn(double anisotropy, struct draws *draws, double direction[3])
 {
-    double g = anisotropy, draw = draws_next(draws), cosine = 1 - 2 * draw, axis[3], sine_turn, cosine_turn;
-    if (fabs(g) > 1e-3) {
-        double ratio = (1 - g * g) / (1 - g + 2 * g * draw);
-        cosine = (1 + g * g - ratio * ratio) / (2 * g);
-    }
-    cosine = fmin(fmax(cosine, -1), 1);
+    double cosine = optics_phase_cosine(draws_next(draws), anisotropy), axis[3], sine_turn, cosine_turn;
     double sine = sqrt(1 - cosine * cosine);
     sine_cosine(draws_next(draws), &sine_turn, &cosine_turn);
     vector3_copy(direction, axis);
@@ -46,7 +42,7 @@ bool camera_medium_walk(const struct camera_water *water, double length, struct 
             colors[count++] = c;
     *distance = length;
     bool scattered = false;
-    if (count > 0 && vector3_most(water->scattering) > 0) {
+    if (count > 0 && vector3_most(water->optics.scattering) > 0) {
         double drawn = draws_next(draws) * count, way = -log(1 - draws_next(draws));
         way /= extinction(water, colors[(int)drawn]); /* infinite where nothing stops it */
         scattered = way < length;
@@ -56,9 +52,9 @@ bool camera_medium_walk(const struct camera_water *water, double length, struct 
     for (int i = 0; i < count; i++) {
         double left = camera_medium_left(water, colors[i], *distance);
         density += (scattered ? extinction(water, colors[i]) : 1) * left / count;
-        throughput[colors[i]] *= (scattered ? water->scattering[colors[i]] : 1) * left;
+        throughput[colors[i]] *= (scattered ? water->optics.scattering[colors[i]] : 1) * left;
     }
-    for (int i = 0; i < count && vector3_most(water->scattering) > 0; i++)
+    for (int i = 0; i < count && vector3_most(water->optics.scattering) > 0; i++)
         throughput[colors[i]] = density > 0 ? throughput[colors[i]] / density : 0;
     return scattered;
 }

@@ -8,8 +8,8 @@
 /* Share of the light of a colour that is neither absorbed nor scattered on a way of so many metres. */
 double camera_medium_left(const struct camera_water *water, int color, double length);
 
-/* How much of scattered light goes on at an angle of that cosine, per steradian: Henyey & Greenstein 1941. */
-double camera_medium_phase(double anisotropy, double cosine);
+/* The same of the colour of which most is left. */
+double camera_medium_most_left(const struct camera_water *water, double length);
 
 /* A direction that scattered light takes, distributed as the phase function. */
 void camera_medium_turn(double anisotropy, struct draws *draws, double direction[3]);

@@ -1,11 +1,12 @@
 #include "reference/camera_path.h"
 
+#include "reference/camera_crossing.h"
 #include "reference/camera_medium.h"
 #include "reference/camera_sun.h"
 #include "reference/vector3.h"
 
 #include "base/sine.h"
-#include "optics/refraction.h"
+#include "optics/phase.h"
 
 #define MEETINGS_MAX 64     /* of anything, for one path */
 #define DIFFUSE_SPREAD 0.05 /* m of width that a path gains for each metre behind a solid */
@@ -38,10 +39,11 @@ static void sunlight(struct state *state, const struct camera_hit *hit, double i
     camera_sun_place(path->scene, state->draws, to_sun);
     if (!state->wet && vector3_dot(to_sun, hit->normal) > 0 && vector3_dot(to_sun, hit->face) > 0)
         count += camera_sun_direct(path->scene, hit->position, to_sun, beams);
-    if (!path->photons)
-        count += camera_sun_at_rest(path->scene, hit->position, state->wet, to_sun, beams + count);
+    if (path->photons && camera_photons_cover(path->photons, hit->position, state->wet))
+        camera_photons_surface(path->photons, hit->position, hit->normal, fmax(state->width, path->solid_radius),
+                               irradiance);
     else
-        camera_photons_surface(path->photons, hit->position, hit->normal, state->width, irradiance);
+        count += camera_sun_at_rest(path->scene, hit->position, state->wet, to_sun, beams + count);
     for (int i = 0; i < count; i++) {
         double cosine = -vector3_dot(beams[i].direction, hit->normal);
         for (int c = 0; c < 3 && cosine > 0 && vector3_dot(beams[i].direction, hit->face) < 0; c++)
@@ -57,21 +59,22 @@ static void add_shafts(struct state *state, double length)
     double distance, place[3], to_sun[3], light[3] = {0, 0, 0};
     double density = camera_medium_place(water, length, draws_next(state->draws), &distance);
     vector3_along(state->place, state->direction, distance, place);
-    if (path->photons) {
-        camera_photons_volume(path->photons, place, state->direction, state->width + state->spread * distance, light);
+    if (path->photons && camera_photons_cover(path->photons, place, true)) {
+        double radius = fmax(state->width + state->spread * distance, path->water_radius);
+        camera_photons_volume(path->photons, place, state->direction, radius, light);
     } else {
         struct camera_beam beams[CAMERA_BEAMS_MAX];
         camera_sun_place(path->scene, state->draws, to_sun);
         int count = camera_sun_at_rest(path->scene, place, true, to_sun, beams);
         for (int i = 0; i < count; i++) {
             double cosine = -vector3_dot(beams[i].direction, state->direction);
-            double phase = camera_medium_phase(water->anisotropy, cosine);
+            double phase = optics_phase(cosine, water->optics.anisotropy);
             for (int c = 0; c < 3; c++)
                 light[c] += beams[i].irradiance[c] * phase;
         }
     }
     for (int c = 0; c < 3; c++)
-        light[c] *= water->scattering[c] * camera_medium_left(water, c, distance);
+        light[c] *= water->optics.scattering[c] * camera_medium_left(water, c, distance);
     add(state, light, 1 / density);
 }
 
@@ -80,14 +83,14 @@ static bool swim(struct state *state, const struct camera_hit *hit)
 {
     const struct camera_water *water = &state->path->scene->world.water;
     double distance;
-    if (vector3_most(water->scattering) > 0)
+    if (vector3_most(water->optics.scattering) > 0)
         add_shafts(state, hit->distance);
     bool scattered = camera_medium_walk(water, hit->distance, state->draws, state->throughput, &distance);
     state->width += state->spread * distance;
     vector3_along(state->place, state->direction, distance, state->place);
     if (!scattered)
         return false;
-    camera_medium_turn(water->anisotropy, state->draws, state->direction);
+    camera_medium_turn(water->optics.anisotropy, state->draws, state->direction);
     state->spread = DIFFUSE_SPREAD;
     state->mirrored = false;
     return true;
@@ -104,50 +107,19 @@ static void choose_color(struct state *state)
         state->throughput[c] *= c == state->color ? 3 : 0;
 }
 
-/* The two ways that a path can take at water: reflectance, and where it is refracted to. */
-static double refract(const struct state *state, const double normal[3], double ior, double out[3])
-{
-    double cosine = vector3_dot(state->direction, normal), to_eye[3];
-    if (state->wet) {
-        if (!optics_refract_out(state->direction, normal, ior, out))
-            return 1;
-        return optics_fresnel_reflectance(fmin(fmax(vector3_dot(out, normal), 0), 1), ior);
-    }
-    vector3_scale(state->direction, -1, to_eye);
-    optics_refract(to_eye, normal, ior, out);
-    return optics_fresnel_reflectance(fmin(fmax(-cosine, 0), 1), ior);
-}
-
-/* Turns a direction that the interpolated normal would send through the mesh back to the side that it belongs to. */
-static void keep_side(const double face[3], double side, double direction[3])
-{
-    double along = vector3_dot(direction, face);
-    if (along * side < 0)
-        vector3_along(direction, face, -2 * along, direction);
-}
-
 /* Radiance in water is more by the square of the index, in as much smaller an angle (Straubel 1903). */
 static void meet_water(struct state *state, const struct camera_hit *hit)
 {
-    double normal[3], out[3], back[3];
     choose_color(state);
     double ior = state->path->scene->world.water.ior[state->color < 0 ? 1 : state->color];
-    state->wet = vector3_dot(state->direction, hit->face) > 0;
-    double side = state->wet ? 1 : -1; /* of the air, or of the water: where refracted light goes */
-    vector3_copy(vector3_dot(state->direction, hit->normal) * side > 0 ? hit->normal : hit->face, normal);
-    double reflectance = refract(state, normal, ior, out);
-    double chance = state->mirrored ? fmax(reflectance, REFLECT_LEAST) : reflectance;
+    struct camera_crossing crossing = camera_crossing(hit, state->direction, ior);
+    double chance = state->mirrored ? fmax(crossing.reflectance, REFLECT_LEAST) : crossing.reflectance;
     bool reflects = draws_next(state->draws) < chance;
-    if (reflects) {
-        vector3_scale(state->direction, -1, back);
-        optics_reflect(back, normal, out);
-    }
-    keep_side(hit->face, reflects ? -side : side, out);
-    double scale = reflects ? reflectance / chance : (1 - reflectance) / (1 - chance);
-    scale *= reflects ? 1 : state->wet ? ior * ior : 1 / (ior * ior);
+    double scale = reflects ? crossing.reflectance / chance : (1 - crossing.reflectance) / (1 - chance);
+    scale *= reflects ? 1 : crossing.wet ? ior * ior : 1 / (ior * ior);
     vector3_scale(state->throughput, scale, state->throughput);
-    state->wet = state->wet == reflects;
-    vector3_copy(out, state->direction);
+    state->wet = crossing.wet == reflects;
+    vector3_copy(reflects ? crossing.reflected : crossing.refracted, state->direction);
 }
 
 /* A direction as Lambert's law has it. */
@@ -157,7 +129,7 @@ static void leave_solid(struct state *state, const struct camera_hit *hit)
     sine_cosine(draws_next(state->draws), &sine, &cosine);
     const double local[3] = {radius * cosine, radius * sine, sqrt(1 - u)};
     vector3_turn(hit->normal, local, state->direction);
-    keep_side(hit->face, 1, state->direction);
+    vector3_keep_side(hit->face, 1, state->direction);
     state->spread = DIFFUSE_SPREAD;
     state->mirrored = false;
 }

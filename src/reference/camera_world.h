@@ -5,6 +5,7 @@
 #define REFERENCE_CAMERA_WORLD_H
 
 #include "optics/sky.h"
+#include "optics/water_types.h"
 #include "water/surface.h"
 
 /* Triangles, and a floor. Both throw light back in all directions alike (Lambert 1760), on the side that is lit. */
@@ -27,8 +28,7 @@ struct camera_water {
     bool present;
     const struct surface *surface; /* NULL: at rest */
     double ior[3];
-    double absorption[3], scattering[3]; /* 1/m */
-    double anisotropy; /* mean cosine of the angle of scattering, -1 to 1 (Henyey & Greenstein 1941) */
+    struct optics_water optics;
 };
 
 struct camera_world {

@@ -1,30 +1,6 @@
 #include "optics/sky.h"
-#include "reference/camera_photons.h"
-void camera_photons_surface(const struct camera_photons *photons, const double place[3], const double normal[3],
-                            double radius, double irradiance[3])
-{
-    (void)photons;
-    (void)place;
-    (void)normal;
-    (void)radius;
-    (void)irradiance;
-}
-void camera_photons_volume(const struct camera_photons *photons, const double place[3], const double direction[3],
-                           double radius, double radiance[3])
-{
-    (void)photons;
-    (void)place;
-    (void)direction;
-    (void)radius;
-    (void)radiance;
-}
 #include <math.h>
-void optics_sky_radiance(const struct optics_sky *sky, const double d[3], double radiance[3])
-{
-    int row = (int)fmin(acos(fmin(fmax(d[1], -1), 1)) / M_PI * SKY_ROWS, SKY_ROWS - 1);
-    double a = atan2(d[2], d[0]) / (2 * M_PI);
-    a -= floor(a);
-    int col = (int)fmin(a * SKY_COLUMNS, SKY_COLUMNS - 1);
-    for (int c = 0; c < 3; c++)
-        radiance[c] = (double)sky->texels[(row * SKY_COLUMNS + col) * 3 + c];
-}
+void optics_sky_radiance(const struct optics_sky *sky, const double d[3], double radiance[3]){
+ int row=(int)fmin(acos(fmin(fmax(d[1],-1),1))/M_PI*SKY_ROWS,SKY_ROWS-1); double a=atan2(d[2],d[0])/(2*M_PI); a-=floor(a);
+ int col=(int)fmin(a*SKY_COLUMNS,SKY_COLUMNS-1);
+ for(int c=0;c<3;c++) radiance[c]=(double)sky->texels[(row*SKY_COLUMNS+col)*3+c];}

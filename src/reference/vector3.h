@@ -39,6 +39,14 @@ static inline double vector3_most(const double a[3])
     return fmax(fmax(a[0], a[1]), a[2]);
 }
 
+/* Mirrors a direction in the plane across a unit vector, where it does not go that way (`side` 1) or against it (-1). */
+static inline void vector3_keep_side(const double across[3], double side, double direction[3])
+{
+    double along = vector3_dot(direction, across);
+    if (along * side < 0)
+        vector3_along(direction, across, -2 * along, direction);
+}
+
 /* Turns a direction given along two sides of a unit vector and itself to where that vector points (Duff et al. 2017,
  * "Building an orthonormal basis, revisited"). */
 static inline void vector3_turn(const double axis[3], const double local[3], double out[3])
