@@ -14,9 +14,9 @@ struct picture {
 };
 
 /* From `eye` along an axis, with `half` the tangent of half the field of view. */
-static struct camera_view look(const double eye[3], int axis, double sign, double half)
+static struct camera_sight look(const double eye[3], int axis, double sign, double half)
 {
-    struct camera_view view = {.eye = {eye[0], eye[1], eye[2]}, .width = SIDE, .height = SIDE};
+    struct camera_sight view = {.eye = {eye[0], eye[1], eye[2]}, .width = SIDE, .height = SIDE};
     view.ahead[axis] = sign;
     view.right[axis == 0 ? 2 : 0] = half;
     view.up[axis == 1 ? 2 : 1] = half;
@@ -25,7 +25,7 @@ static struct camera_view look(const double eye[3], int axis, double sign, doubl
 
 static const struct camera_settings usual = {.bounces = 4, .photons = 20, .solid_radius = 0.03, .water_radius = 0.1};
 
-static void draw(struct place *place, const struct camera_view *view, const struct camera_settings *settings,
+static void draw(struct place *place, const struct camera_sight *view, const struct camera_settings *settings,
                  int passes, struct picture *picture)
 {
     struct camera camera = {.passes = 0};
@@ -58,7 +58,7 @@ static void a_white_furnace_is_white(void **state)
     struct place *place = *state;
     struct picture picture;
     const struct camera_settings settings = {.bounces = 1000};
-    const struct camera_view view = look((const double[3]){0.2, 1, 3}, 2, -1, 0.7);
+    const struct camera_sight view = look((const double[3]){0.2, 1, 3}, 2, -1, 0.7);
     shine(place, 1, 0);
     for (int c = 0; c < 3; c++)
         place->floor[c] = place->solids[c] = 1;
@@ -77,7 +77,7 @@ static void the_floor_below_flat_water(void **state)
     struct place *place = *state;
     struct picture picture;
     struct surface *surface = at_rest(place);
-    const struct camera_view view = look((const double[3]){0.2, 3, 0.3}, 1, -1, 0.05);
+    const struct camera_sight view = look((const double[3]){0.2, 3, 0.3}, 1, -1, 0.05);
     const double sine = sin(M_PI / 3), inside = sqrt(1 - pow(cos(M_PI / 3) / 1.333, 2)), absorption = 0.3;
     shine(place, 0, 5);
     place->world.water.present = true;
@@ -98,7 +98,7 @@ static void sky_through_snells_window(void **state)
     struct picture picture;
     struct surface *surface = at_rest(place);
     const double half = 2, edge = tan(asin(1 / 1.333));
-    const struct camera_view view = look((const double[3]){0.2, -0.6, 0.3}, 1, 1, half);
+    const struct camera_sight view = look((const double[3]){0.2, -0.6, 0.3}, 1, 1, half);
     shine(place, 1, 0);
     place->world.water.present = true;
     place->world.water.surface = surface;
@@ -124,7 +124,7 @@ static void shafts_of_still_water(void **state)
     struct surface *surface = at_rest(place);
     struct optics_water *optics = &place->world.water.optics;
     const struct camera_settings once = {.bounces = 0, .photons = 20, .solid_radius = 0.03, .water_radius = 0.1};
-    const struct camera_view view = look((const double[3]){0.2, -1.5, 0.3}, 0, 1, 0.01);
+    const struct camera_sight view = look((const double[3]){0.2, -1.5, 0.3}, 0, 1, 0.01);
     shine(place, 0, 5);
     place->world.depth = 50;
     place->world.water.present = true;
@@ -173,7 +173,7 @@ static void caustics_are_those_that_were_counted(void **state)
     place->world.water.optics = water_optics(&medium);
     struct camera_scene scene;
     struct camera_photons photons;
-    const struct camera_view view = look((const double[3]){0, 4, 0}, 1, -1, 0.4);
+    const struct camera_sight view = look((const double[3]){0, 4, 0}, 1, -1, 0.4);
     assert_true(camera_scene_make(&scene, &place->world, NULL));
     assert_true(camera_photons_begin(&photons, &scene, &view, 2000000, NULL));
     camera_photons_send(&photons, 0);
@@ -203,7 +203,7 @@ static void threads_do_not_show(void **state)
     struct place *place = *state;
     static struct picture first, second;
     struct surface *surface = at_rest(place);
-    const struct camera_view view = look((const double[3]){0, -0.5, 3}, 2, -1, 0.7);
+    const struct camera_sight view = look((const double[3]){0, -0.5, 3}, 2, -1, 0.7);
     shine(place, 1, 5);
     place->world.water = (struct camera_water){true, surface, {1.33, 1.333, 1.336}, {{0.3, 0.1, 0.1}, {0.1, 0.1, 0.2}, 0.8}};
     put_box(place, (const double[3]){-1, -0.5, -1}, (const double[3]){1, 0.5, 1}, false);

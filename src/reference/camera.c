@@ -5,7 +5,7 @@
 #define PHOTONS_LEAST 1000.0
 #define PHOTONS_MOST 1e7 /* of a pass, for the sake of memory */
 
-bool camera_begin(struct camera *camera, const struct camera_world *world, const struct camera_view *view,
+bool camera_begin(struct camera *camera, const struct camera_world *world, const struct camera_sight *view,
                   const struct camera_settings *settings, const struct dpl_log *log)
 {
     size_t pixels = (size_t)view->width * (size_t)view->height;
@@ -34,7 +34,7 @@ static void trace_pixel(struct camera *camera, const struct camera_path *path, i
     uint64_t pixel = (uint64_t)row * (uint64_t)camera->view.width + (uint64_t)column;
     struct draws draws = {.start = random_mix(pixel + 1), .path = (uint64_t)camera->passes};
     double u = draws_next(&draws), v = draws_next(&draws), direction[3], radiance[3];
-    camera_view_ray(&camera->view, column + u, row + v, direction);
+    camera_sight_ray(&camera->view, column + u, row + v, direction);
     camera_path_radiance(path, camera->view.eye, direction, wet, &draws, radiance);
     vector3_along(camera->sums + 3 * pixel, radiance, 1, camera->sums + 3 * pixel);
 }
@@ -46,7 +46,7 @@ void camera_pass(struct camera *camera)
         .photons = &camera->photons,
         .bounces = camera->settings.bounces,
         .sun_seen = true,
-        .spread = camera_view_spread(&camera->view),
+        .spread = camera_sight_spread(&camera->view),
         .solid_radius = camera->settings.solid_radius,
         .water_radius = camera->settings.water_radius,
     };

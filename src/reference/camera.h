@@ -18,14 +18,14 @@ struct camera_settings {
 struct camera {
     struct camera_scene scene;
     struct camera_photons photons;
-    struct camera_view view;
+    struct camera_sight view;
     struct camera_settings settings;
     int passes; /* done */
     double *sums; /* height × width × 3 */
 };
 
 /* Starts anew. What `world` points to outlives the picture. */
-bool camera_begin(struct camera *camera, const struct camera_world *world, const struct camera_view *view,
+bool camera_begin(struct camera *camera, const struct camera_world *world, const struct camera_sight *view,
                   const struct camera_settings *settings, const struct dpl_log *log);
 /* Leaves it zeroed. */
 void camera_finish(struct camera *camera);

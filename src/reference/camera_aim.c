@@ -138,7 +138,7 @@ static void count_ways(struct camera_aim *aim, const struct ways *ways)
     }
 }
 
-bool camera_aim_make(struct camera_aim *aim, const struct camera_scene *scene, const struct camera_view *view,
+bool camera_aim_make(struct camera_aim *aim, const struct camera_scene *scene, const struct camera_sight *view,
                      const struct dpl_log *log)
 {
     struct ways ways = {0, base_allocate(log, (size_t)PILOTS * PILOTS * MEETINGS * 2 * COPIES, sizeof *ways.places,
@@ -148,7 +148,7 @@ bool camera_aim_make(struct camera_aim *aim, const struct camera_scene *scene, c
     for (int i = 0; i < PILOTS * PILOTS; i++) {
         struct draws draws = {.path = (uint64_t)i};
         double direction[3], column = i % PILOTS + draws_next(&draws), row = i / PILOTS + draws_next(&draws);
-        camera_view_ray(view, column * view->width / PILOTS, row * view->height / PILOTS, direction);
+        camera_sight_ray(view, column * view->width / PILOTS, row * view->height / PILOTS, direction);
         follow(&ways, scene, view->eye, direction, &draws);
     }
     bool ok = frame_ways(aim, scene, &ways, log);

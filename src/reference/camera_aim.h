@@ -7,7 +7,7 @@
 #define REFERENCE_CAMERA_AIM_H
 
 #include "reference/camera_scene.h"
-#include "reference/camera_view.h"
+#include "reference/camera_sight.h"
 
 #define CAMERA_AIM_SIDE 96 /* cells a side */
 
@@ -17,7 +17,7 @@ struct camera_aim {
     double cells[CAMERA_AIM_SIDE][CAMERA_AIM_SIDE + 1], rows[CAMERA_AIM_SIDE + 1];
 };
 
-bool camera_aim_make(struct camera_aim *aim, const struct camera_scene *scene, const struct camera_view *view,
+bool camera_aim_make(struct camera_aim *aim, const struct camera_scene *scene, const struct camera_sight *view,
                      const struct dpl_log *log);
 
 /* A place of the water for two numbers from 0 to 1; returns its density, 1/m². */

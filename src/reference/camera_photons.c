@@ -13,7 +13,7 @@
 #define SAME_SIDE 0.5    /* cosine between normals of what may be one surface */
 
 bool camera_photons_begin(struct camera_photons *photons, const struct camera_scene *scene,
-                          const struct camera_view *view, int count, const struct dpl_log *log)
+                          const struct camera_sight *view, int count, const struct dpl_log *log)
 {
     const struct camera_water *water = &scene->world.water;
     bool scatters = vector3_most(water->optics.scattering) > 0;

@@ -27,7 +27,7 @@ struct camera_photons {
 
 /* Room for `count` photons of the picture. */
 bool camera_photons_begin(struct camera_photons *photons, const struct camera_scene *scene,
-                          const struct camera_view *view, int count, const struct dpl_log *log);
+                          const struct camera_sight *view, int count, const struct dpl_log *log);
 void camera_photons_finish(struct camera_photons *photons);
 
 /* Sends all of them, others in each pass. */
