@@ -31,11 +31,11 @@ static void list_sections(const struct dpl_scene *scene, char *text, size_t size
     size_t used = 0;
     for (int i = 0; dpl_scene_section(scene, i).name && used < size; i++) {
         const char *name = dpl_scene_section(scene, i).name;
-        if (strncmp(name, "wave.", 5))
+        if (!scene_numbered_find(scene, name).name)
             used += (size_t)snprintf(text + used, size - used, "%s, ", name);
     }
     if (used < size)
-        snprintf(text + used, size - used, "wave.1 to wave.%d", WATER_WAVES_MAX);
+        scene_numbered_list(text + used, size - used);
 }
 
 static void list_keys(const struct dpl_param *params, char *text, size_t size)
@@ -45,28 +45,17 @@ static void list_keys(const struct dpl_param *params, char *text, size_t size)
         used += (size_t)snprintf(text + used, size - used, "%s%s", used ? ", " : "", params->name);
 }
 
-/* The N - 1 of "wave.N", -1 where that is not what the name is. */
-static int wave_number(const char *section)
-{
-    int number = 0, length = 0;
-    if (sscanf(section, "wave.%2d%n", &number, &length) != 1 || section[length] || number < 1 ||
-        number > WATER_WAVES_MAX || section[5] < '1' || section[5] > '9')
-        return -1;
-    return number - 1;
-}
-
-/* The section of that name, a wave's also where it is not there yet; NULL-named where there is none. */
+/* The section of that name, one of those with numbers also where it is not there yet; NULL-named where there is none.
+ */
 static struct dpl_section find_section(const struct dpl_scene *scene, const char *name)
 {
-    int wave = wave_number(name);
-    if (wave >= 0)
-        return (struct dpl_section){scene->wave_names[wave], "", water_wave_params, (void *)(scene->waves + wave),
-                                    true};
-    for (int i = 0;; i++) {
-        struct dpl_section section = dpl_scene_section(scene, i);
-        if (!section.name || !strcmp(section.name, name))
-            return section;
+    struct dpl_section section = scene_numbered_find(scene, name);
+    for (int i = 0; !section.name; i++) {
+        struct dpl_section other = dpl_scene_section(scene, i);
+        if (!other.name || !strcmp(other.name, name))
+            return other;
     }
+    return section;
 }
 
 /* Finds the value's description. `place` opens the message: "pool.ini:12: " or "". */
@@ -99,9 +88,7 @@ static bool assign(struct dpl_scene *scene, const char *place, const char *secti
     snprintf(where, sizeof where, "%.420s%.60s.%.30s", place, section_name, key);
     if (!param || !param_parse(param, section.values, value, where, scene->log))
         return false;
-    int wave = wave_number(section_name);
-    if (wave >= 0)
-        scene->wave_present[wave] = true;
+    scene_numbered_mark(scene, section_name, true);
     return true;
 }
 
@@ -137,6 +124,16 @@ bool dpl_scene_get(const struct dpl_scene *scene, const char *name, char *value,
         return false;
     return dpl_param_format(param, section.values, value, size) ||
            base_fail(scene->log, DPL_REASON_LIMIT, "%s: the value does not fit into %zu bytes", name, size);
+}
+
+bool dpl_scene_remove(struct dpl_scene *scene, const char *section)
+{
+    char accepted[VALUE_SIZE];
+    if (scene_numbered_mark(scene, section, false))
+        return true;
+    scene_numbered_list(accepted, sizeof accepted);
+    return base_fail(scene->log, DPL_REASON_UNKNOWN_SECTION, "%.80s: cannot be taken away (accepted: %s)", section,
+                     accepted);
 }
 
 static void fail_line(struct reading *reading, const char *what)
@@ -299,7 +296,7 @@ bool dpl_scene_save(const struct dpl_scene *scene, const char *path)
         return false;
     for (int i = 0; dpl_scene_section(scene, i).name; i++) {
         struct dpl_section section = dpl_scene_section(scene, i);
-        if (section.active || wave_number(section.name) >= 0 || !is_default(&section))
+        if (section.active || scene_numbered_find(scene, section.name).name || !is_default(&section))
             write_section(writer.stream, &section);
     }
     return file_end(&writer, true, scene->log);
