@@ -50,14 +50,14 @@ struct physical_light physical_light(const struct optics_sky *sky, const struct 
 static void bind_sight(const struct physical *physical, const struct frame *frame, const struct gpu_program *program)
 {
     struct dpl_gl *gl = frame->gl;
-    const struct scene_camera *camera = &frame->scene->camera;
+    const struct scene_camera *camera = frame->camera;
     program_mat4(gl, program, "view_projection", frame->view_projection);
     program_vec3(gl, program, "eye", camera->position);
     program_vec3(gl, program, "ahead", frame->rays.ahead);
     program_vec3(gl, program, "right", frame->rays.right);
     program_vec3(gl, program, "up", frame->rays.up);
     program_vec2(gl, program, "planes", camera->near_plane, camera->far_plane);
-    program_vec2(gl, program, "picture", frame->width, frame->height);
+    program_vec2(gl, program, "picture", frame->view.columns, frame->view.rows);
     program_float(gl, program, "ior", frame->scene->medium.ior);
     program_float(gl, program, "side", physical->side);
 }

@@ -5,8 +5,8 @@
 #include "optics/refraction.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 static const struct dpl_param settings_params[] = {
     PARAM_FLOAT(struct scene_settings, size, 4, 0.01, 10000, "m", "side of the square tile of water"),
@@ -22,12 +22,15 @@ static const struct dpl_param settings_params[] = {
 static const struct dpl_param camera_params[] = {
     PARAM_FLOATS(struct scene_camera, position, 3, -10000, 10000, "m", "place of the eye", 0, 0.2, 4),
     PARAM_FLOATS(struct scene_camera, target, 3, -10000, 10000, "m", "place that is looked at", 0, -0.6, 0),
-    PARAM_FLOAT(struct scene_camera, field_of_view, 45, 1, 150, "degrees", "height of the view"),
+    PARAM_FLOAT(struct scene_camera, field_of_view, 45, SCENE_FIELD_OF_VIEW_MIN, SCENE_FIELD_OF_VIEW_MAX, "degrees",
+                "height of the view"),
     PARAM_FLOAT(struct scene_camera, near_plane, 0.1, 0.001, 9, "m", "nothing nearer is seen"),
     PARAM_FLOAT(struct scene_camera, far_plane, 100, 10, 100000, "m", "nothing farther is seen"),
     PARAM_FLOAT(struct scene_camera, exposure, 0, -20, 20, "stops",
                 "of looks with linear light: each stop doubles the picture's brightness; at 0 what is white in full "
                 "daylight is near white"),
+    PARAM_BOOL(struct scene_camera, closed, false,
+               "its path, [camera.1] and so on, is round: at the last key's time it is back at the first key"),
     PARAM_END,
 };
 
@@ -44,6 +47,12 @@ static const char *tone_name(int i)
     return names[i];
 }
 
+static const char *quality_name(int i)
+{
+    static const char *const names[] = {"low", "medium", "high", "ultra", NULL};
+    return names[i];
+}
+
 static const struct dpl_param render_params[] = {
     PARAM_CHOICE(struct scene_render, look, 0, scene_look_name, "how the scene is shaded"),
     PARAM_COLOR(struct scene_render, background, 1, "colour where there is nothing", 51.0 / 255, 71.0 / 255,
@@ -53,6 +62,8 @@ static const struct dpl_param render_params[] = {
     PARAM_CHOICE(struct scene_render, tone, SCENE_TONE_FILMIC, tone_name,
                  "of looks with linear light: filmic = highlights roll off as on film; linear = what is too bright is "
                  "cut off"),
+    PARAM_CHOICE(struct scene_render, quality, SCENE_QUALITY_MEDIUM, quality_name,
+                 "how much work a picture is worth to looks that have a choice: steps, resolution, samples of light"),
     PARAM_BOOL(struct scene_render, wireframe, false, "draw only the edges of triangles"),
     PARAM_END,
 };
@@ -92,12 +103,9 @@ struct dpl_scene *dpl_scene_create(const struct dpl_log *log)
     scene->log = log;
     for (int i = 0; i < FIXED_COUNT; i++)
         param_defaults(fixed_sections[i].params, (char *)scene + fixed_sections[i].offset);
-    for (int w = 0; w < WATER_WAVES_MAX; w++) {
-        param_defaults(water_wave_params, scene->waves + w);
-        snprintf(scene->wave_names[w], sizeof scene->wave_names[w], "wave.%d", w + 1);
-    }
     for (int o = 0; o < SCENE_OBJECTS_MAX; o++)
         param_defaults(scene_object_params, scene->objects + o);
+    scene_numbered_start(scene);
     bool ok = true;
     for (int i = 0; water_models[i]; i++) {
         const struct water_model *model = water_models[i];
@@ -137,19 +145,6 @@ static bool model_moves(const struct dpl_scene *scene, int model)
     return water_model_has(scene->medium.model, model, (const void *const *)scene->model_params);
 }
 
-/* The index-th of the waves that are present, and then of the objects. */
-static struct dpl_section numbered_section(const struct dpl_scene *scene, int index)
-{
-    for (int w = 0; w < WATER_WAVES_MAX; w++)
-        if (scene->wave_present[w] && index-- == 0)
-            return (struct dpl_section){scene->wave_names[w], "one wave of the model `sines`", water_wave_params,
-                                        (void *)(scene->waves + w), model_moves(scene, 0)};
-    if (index < scene->object_count)
-        return (struct dpl_section){scene->object_names[index], "one object, or copies of one", scene_object_params,
-                                    (void *)(scene->objects + index), true};
-    return (struct dpl_section){0};
-}
-
 struct dpl_section dpl_scene_section(const struct dpl_scene *scene, int index)
 {
     char *base = (char *)scene;
@@ -171,7 +166,11 @@ struct dpl_section dpl_scene_section(const struct dpl_scene *scene, int index)
         if (index-- == 0)
             return (struct dpl_section){scene_looks[i]->section, scene_looks[i]->summary, scene_looks[i]->params,
                                         scene->look_params[i], scene->render.look == i};
-    return numbered_section(scene, index);
+    struct dpl_section numbered = scene_numbered_section(scene, &index);
+    if (numbered.name || index >= scene->object_count)
+        return numbered;
+    return (struct dpl_section){scene->object_names[index], "one object, or copies of one", scene_object_params,
+                                base + ((char *)(scene->objects + index) - (char *)scene), true};
 }
 
 struct water_setup scene_water_setup(const struct dpl_scene *scene, struct wave *waves)
@@ -238,6 +237,15 @@ void scene_windows(const struct dpl_scene *scene, bool periodic, const double *h
             along[a] = ray[2 * a] / ray[1] * heights[k];
         windows[k] = (struct ray_window){along[0] - size / 2 - margin, along[1] - size / 2 - margin, size + 2 * margin};
     }
+}
+
+struct dpl_view dpl_scene_view(const struct dpl_scene *scene, double time)
+{
+    struct scene_camera camera = scene_camera_at(scene, time);
+    struct dpl_view view = {.field_of_view = camera.field_of_view};
+    memcpy(view.position, camera.position, sizeof view.position);
+    memcpy(view.target, camera.target, sizeof view.target);
+    return view;
 }
 
 struct dpl_entry dpl_water_model(int index)

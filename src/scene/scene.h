@@ -4,7 +4,9 @@
 
 #include "dapple/scene.h"
 #include "light/light.h"
+#include "scene/camera_path.h"
 #include "scene/look.h"
+#include "scene/numbered.h"
 #include "scene/object.h"
 #include "water/water.h"
 
@@ -14,25 +16,20 @@ struct scene_settings {
     int seed;
 };
 
-struct scene_camera {
-    double position[3], target[3];
-    double field_of_view; /* degrees, vertical */
-    double near_plane, far_plane;
-    double exposure; /* stops */
-};
-
 struct scene_floor {
     double color[3];
     double contrast, grain;
 };
 
 enum scene_tone { SCENE_TONE_FILMIC, SCENE_TONE_LINEAR };
+enum scene_quality { SCENE_QUALITY_LOW, SCENE_QUALITY_MEDIUM, SCENE_QUALITY_HIGH, SCENE_QUALITY_ULTRA };
 
 struct scene_render {
     int look; /* index into scene_looks */
     double background[3];
     int samples;
-    int tone; /* enum scene_tone */
+    int tone;    /* enum scene_tone */
+    int quality; /* enum scene_quality */
     bool wireframe;
 };
 
@@ -51,7 +48,10 @@ struct dpl_scene {
     void *look_params[SCENE_LOOKS_MAX];           /* as scene_looks */
     struct wave waves[WATER_WAVES_MAX];           /* [wave.N] is entry N - 1 */
     bool wave_present[WATER_WAVES_MAX];
-    char wave_names[WATER_WAVES_MAX][12]; /* "wave.1", … */
+    char wave_names[WATER_WAVES_MAX][SCENE_NUMBERED_NAME_SIZE]; /* "wave.1", … */
+    struct scene_camera_key camera_keys[SCENE_CAMERA_KEYS_MAX]; /* [camera.N] is entry N - 1 */
+    bool camera_key_present[SCENE_CAMERA_KEYS_MAX];
+    char camera_key_names[SCENE_CAMERA_KEYS_MAX][SCENE_NUMBERED_NAME_SIZE];
     struct scene_object objects[SCENE_OBJECTS_MAX];
     char object_names[SCENE_OBJECTS_MAX][SCENE_OBJECT_NAME_SIZE]; /* "object.NAME" */
     int object_count;
