@@ -2,9 +2,10 @@
 
 #include <stddef.h>
 
-extern const struct scene_shape shape_box;
+extern const struct scene_shape shape_box, shape_pole, shape_sphere, shape_rock, shape_pebbles, shape_seaweed;
 
-const struct scene_shape *const scene_shapes[] = {&shape_box, NULL};
+const struct scene_shape *const scene_shapes[] = {&shape_box,     &shape_pole,    &shape_sphere, &shape_rock,
+                                                  &shape_pebbles, &shape_seaweed, NULL};
 
 const char *scene_shape_name(int i)
 {
