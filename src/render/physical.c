@@ -3,6 +3,7 @@
 #include "light/map_texture.h"
 #include "optics/refraction.h"
 #include "optics/water_types.h"
+#include "scene/sway.h"
 
 #include <math.h>
 #include <string.h>
@@ -115,6 +116,15 @@ static void bind_shadow(const struct physical *physical, const struct frame *fra
     program_int(gl, program, "shadow_heights", UNIT_SHADOW);
 }
 
+/* Where the water carries what sways in it. */
+static void bind_sway(const struct frame *frame, const struct gpu_program *program)
+{
+    struct sway sway;
+    sway_now(frame->scene, frame->time, &sway);
+    program_vec4s(frame->gl, program, "sway_waves", SWAY_WAVES, sway.waves[0]);
+    program_vec4s(frame->gl, program, "sway_current", 1, sway.current);
+}
+
 static void bind_floor(const struct physical *physical, const struct frame *frame, const struct gpu_program *program)
 {
     struct dpl_gl *gl = frame->gl;
@@ -136,6 +146,7 @@ void physical_bind(const struct physical *physical, const struct frame *frame, c
     bind_maps(physical, frame, program);
     bind_shadow(physical, frame, program);
     bind_floor(physical, frame, program);
+    bind_sway(frame, program);
     waves_bind(&physical->waves, frame, program, UNIT_WAVES);
 }
 
