@@ -83,7 +83,7 @@ static void bind_light(const struct physical *physical, const struct frame *fram
     program_int(gl, program, "sky_texels", UNIT_SKY);
 }
 
-static void bind_maps(const struct physical *physical, const struct frame *frame, const struct gpu_program *program)
+static void bind_maps(const struct frame *frame, const struct gpu_program *program)
 {
     struct dpl_gl *gl = frame->gl;
     const struct dpl_scene *scene = frame->scene;
@@ -143,7 +143,7 @@ void physical_bind(const struct physical *physical, const struct frame *frame, c
 {
     bind_sight(physical, frame, program);
     bind_light(physical, frame, program);
-    bind_maps(physical, frame, program);
+    bind_maps(frame, program);
     bind_shadow(physical, frame, program);
     bind_floor(physical, frame, program);
     bind_sway(frame, program);

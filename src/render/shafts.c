@@ -43,6 +43,7 @@ void shafts_draw(struct physical *physical, const struct frame *frame)
     texture_draw_to(gl, &shafts->raw);
     program_use(gl, march);
     physical_bind(physical, frame, march);
+    physical_bind_layers(physical, frame, march);
     texture_bind(gl, &shafts->noise, UNIT_NOISE);
     program_int(gl, march, "noise", UNIT_NOISE);
     program_int(gl, march, "steps", physical->quality.shaft_steps);
