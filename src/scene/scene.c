@@ -109,6 +109,7 @@ static const struct fixed_section fixed_sections[] = {
     {"scene", "the tile of water", settings_params, offsetof(struct dpl_scene, settings)},
     {"sun", "the sun (multi-sample, pixel-ray and vertex-ray have their own, straight overhead)", optics_sun_params,
      offsetof(struct dpl_scene, sun)},
+    {"sky", "the light of sun and sky (look `physical`)", optics_sky_params, offsetof(struct dpl_scene, sky)},
     {"water", "the water and its waves", water_medium_params, offsetof(struct dpl_scene, medium)},
     {"sphere", "a ball in the water", water_sphere_params, offsetof(struct dpl_scene, sphere)},
     {"caustics", "the caustic map", light_settings_params, offsetof(struct dpl_scene, caustics)},

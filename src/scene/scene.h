@@ -4,6 +4,7 @@
 
 #include "dapple/scene.h"
 #include "light/light.h"
+#include "optics/sky.h"
 #include "scene/camera_path.h"
 #include "scene/look.h"
 #include "scene/numbered.h"
@@ -50,6 +51,7 @@ struct dpl_scene {
     const struct dpl_log *log;
     struct scene_settings settings;
     struct optics_sun sun;
+    struct optics_sky_settings sky;
     struct water_medium medium;
     struct water_sphere sphere;
     struct light_settings caustics;
