@@ -43,7 +43,8 @@ DPL_API bool dpl_scene_load(struct dpl_scene *scene, const char *path_or_name);
 /* The same from `length` bytes of text; `name` stands for the file in messages. */
 DPL_API bool dpl_scene_read(struct dpl_scene *scene, const char *name, const char *text, size_t length);
 
-/* Sets one value, checked as in scene text. `wave.N` comes into being when one of its keys is set; N is 1 to 64. */
+/* Sets one value, checked as in scene text. `wave.N` and `object.NAME` come into being when one of their keys is set; N
+ * is 1 to 64, NAME a word of letters, digits and `-`; there may be 64 objects. */
 DPL_API bool dpl_scene_set(struct dpl_scene *scene, const char *key, const char *value);
 
 /* Writes one value as text. False (logged) where the key is unknown or `size` is too small. */

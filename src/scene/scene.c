@@ -81,6 +81,8 @@ struct dpl_scene *dpl_scene_create(const struct dpl_log *log)
         param_defaults(water_wave_params, scene->waves + w);
         snprintf(scene->wave_names[w], sizeof scene->wave_names[w], "wave.%d", w + 1);
     }
+    for (int o = 0; o < SCENE_OBJECTS_MAX; o++)
+        param_defaults(scene_object_params, scene->objects + o);
     bool ok = true;
     for (int i = 0; water_models[i]; i++) {
         const struct water_model *model = water_models[i];
@@ -120,13 +122,16 @@ static bool model_moves(const struct dpl_scene *scene, int model)
     return water_model_has(scene->medium.model, model, (const void *const *)scene->model_params);
 }
 
-/* The index-th wave that is present. */
-static struct dpl_section wave_section(const struct dpl_scene *scene, int index)
+/* The index-th of the waves that are present, and then of the objects. */
+static struct dpl_section numbered_section(const struct dpl_scene *scene, int index)
 {
     for (int w = 0; w < WATER_WAVES_MAX; w++)
         if (scene->wave_present[w] && index-- == 0)
             return (struct dpl_section){scene->wave_names[w], "one wave of the model `sines`", water_wave_params,
                                         (void *)(scene->waves + w), model_moves(scene, 0)};
+    if (index < scene->object_count)
+        return (struct dpl_section){scene->object_names[index], "one object, or copies of one", scene_object_params,
+                                    (void *)(scene->objects + index), true};
     return (struct dpl_section){0};
 }
 
@@ -151,7 +156,7 @@ struct dpl_section dpl_scene_section(const struct dpl_scene *scene, int index)
         if (index-- == 0)
             return (struct dpl_section){scene_looks[i]->section, scene_looks[i]->summary, scene_looks[i]->params,
                                         scene->look_params[i], scene->render.look == i};
-    return wave_section(scene, index);
+    return numbered_section(scene, index);
 }
 
 struct water_setup scene_water_setup(const struct dpl_scene *scene, struct wave *waves)

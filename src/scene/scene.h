@@ -5,6 +5,7 @@
 #include "dapple/scene.h"
 #include "light/light.h"
 #include "scene/look.h"
+#include "scene/object.h"
 #include "water/water.h"
 
 struct scene_settings {
@@ -46,6 +47,9 @@ struct dpl_scene {
     struct wave waves[WATER_WAVES_MAX];           /* [wave.N] is entry N - 1 */
     bool wave_present[WATER_WAVES_MAX];
     char wave_names[WATER_WAVES_MAX][12]; /* "wave.1", … */
+    struct scene_object objects[SCENE_OBJECTS_MAX];
+    char object_names[SCENE_OBJECTS_MAX][SCENE_OBJECT_NAME_SIZE]; /* "object.NAME" */
+    int object_count;
 };
 
 /* The heights of the receivers that the scene asks light for; returns how many, 1 to LIGHT_SLICES_MAX. */
