@@ -40,7 +40,8 @@ static bool is_stl(const char *bytes, size_t length)
     return binary || (!strncmp(bytes, "solid", 5) && strlen(bytes) == length && strstr(bytes, "endsolid"));
 }
 
-bool mesh_bytes_are_sound(const char *ending, const char *bytes, size_t length, const char *path, const struct dpl_log *log)
+bool mesh_bytes_are_sound(const char *ending, const char *bytes, size_t length, const char *path,
+                          const struct dpl_log *log)
 {
     if (length == 0)
         return base_fail(log, DPL_REASON_FILE_FORMAT, "%s: is empty (accepted: a mesh)", path);

@@ -11,12 +11,12 @@
 /* Section [sky]. */
 enum sky_model { SKY_CLEAR, SKY_OVERCAST, SKY_ENVIRONMENT };
 struct optics_sky_settings {
-    int model;           /* enum sky_model */
-    double turbidity;    /* of the clear sky: haze; 1 is clean air */
-    double sun;          /* share of the direct sun's light that clouds let pass: 1 clear, 0 none */
-    double brightness;   /* times everything */
-    double ground[3];    /* reflectance of what lies beyond the horizon */
-    double turn;         /* degrees, of the environment about the vertical */
+    int model;             /* enum sky_model */
+    double turbidity;      /* of the clear sky: haze; 1 is clean air */
+    double sun;            /* share of the direct sun's light that clouds let pass: 1 clear, 0 none */
+    double brightness;     /* times everything */
+    double ground[3];      /* reflectance of what lies beyond the horizon */
+    double turn;           /* degrees, of the environment about the vertical */
     char environment[256]; /* .exr, .pfm: a picture of the whole sky, its upper half above the horizon */
 };
 extern const struct dpl_param optics_sky_params[];
@@ -30,9 +30,9 @@ struct optics_sky {
                       nadir (below the horizon: ground); column 0 is at azimuth 0, they go round from +x towards +z */
     double sun[3]; /* irradiance of the sun's disc on a surface across its rays */
     double sun_radiance[3]; /* of the disc, where it has a width; of one 0.2665° wide where it is a point */
-    double irradiance[3]; /* of the sky alone on a horizontal surface */
+    double irradiance[3];   /* of the sky alone on a horizontal surface */
     double harmonics[9][3]; /* radiance in real spherical harmonics up to order 2, in the usual order (Sloan 2008) */
-    uint64_t fingerprint; /* of what it was made from; changes when the light changes */
+    uint64_t fingerprint;   /* of what it was made from; changes when the light changes */
 };
 
 /* Makes the sky of the settings and the sun, or leaves it where both are as they were. False (logged): no memory, or an

@@ -2,9 +2,12 @@
 
 #include <stddef.h>
 
-extern const struct scene_shape shape_box;
+extern const struct scene_shape shape_basin, shape_box, shape_cave, shape_hall, shape_hull, shape_ladder, shape_mesh,
+    shape_quay, shape_steps, shape_tank;
 
-const struct scene_shape *const scene_shapes[] = {&shape_box, NULL};
+const struct scene_shape *const scene_shapes[] = {&shape_box,   &shape_basin,  &shape_cave, &shape_hall,
+                                                  &shape_hull,  &shape_ladder, &shape_mesh, &shape_quay,
+                                                  &shape_steps, &shape_tank,   NULL};
 
 const char *scene_shape_name(int i)
 {
