@@ -2,12 +2,12 @@
 
 #include <stddef.h>
 
-extern const struct scene_shape shape_basin, shape_box, shape_cave, shape_hall, shape_hull, shape_ladder, shape_mesh,
-    shape_quay, shape_steps, shape_tank;
+extern const struct scene_shape shape_box, shape_pole, shape_sphere, shape_rock, shape_pebbles, shape_seaweed,
+    shape_mesh, shape_basin, shape_steps, shape_ladder, shape_hall, shape_cave, shape_quay, shape_hull, shape_tank;
 
-const struct scene_shape *const scene_shapes[] = {&shape_box,   &shape_basin,  &shape_cave, &shape_hall,
-                                                  &shape_hull,  &shape_ladder, &shape_mesh, &shape_quay,
-                                                  &shape_steps, &shape_tank,   NULL};
+const struct scene_shape *const scene_shapes[] = {
+    &shape_box,   &shape_pole,   &shape_sphere, &shape_rock, &shape_pebbles, &shape_seaweed, &shape_mesh, &shape_basin,
+    &shape_steps, &shape_ladder, &shape_hall,   &shape_cave, &shape_quay,    &shape_hull,    &shape_tank, NULL};
 
 const char *scene_shape_name(int i)
 {

@@ -62,17 +62,18 @@ static bool same_material(const struct world_part *a, const struct world_part *b
 void builder_part(struct world_builder *builder, const struct world_part *material)
 {
     const int most = WORLD_INDICES_MAX / 3;
-    struct world_part *last = builder->part_count > 0 ? builder->parts + builder->part_count - 1 : NULL;
-    if (last && last->count > 0 && same_material(last, material))
+    if (builder->part_count > 0 && builder->parts[builder->part_count - 1].count == 0)
+        builder->part_count--;
+    int last = builder->part_count - 1;
+    if (last >= 0 && same_material(builder->parts + last, material))
         return;
-    int place = last && last->count == 0 ? builder->part_count - 1 : builder->part_count;
-    builder->parts = grow(builder, builder->parts, &builder->part_room, place + 1, most, sizeof *builder->parts);
+    builder->parts = grow(builder, builder->parts, &builder->part_room, last + 2, most, sizeof *builder->parts);
     if (builder->failed)
         return;
-    builder->parts[place] = *material;
-    builder->parts[place].first = builder->index_count;
-    builder->parts[place].count = 0;
-    builder->part_count = place + 1;
+    builder->parts[last + 1] = *material;
+    builder->parts[last + 1].first = builder->index_count;
+    builder->parts[last + 1].count = 0;
+    builder->part_count++;
 }
 
 unsigned builder_vertex(struct world_builder *builder, const struct world_vertex *vertex)
