@@ -108,11 +108,31 @@ static void add_ring(struct world_builder *builder, const double point[3], const
     }
 }
 
+/* Closes a tube: a flat end behind the ring that starts at vertex `ring`. */
+static void add_end(struct world_builder *builder, unsigned ring, int sides, const double middle[3],
+                    const double along[3], bool first)
+{
+    if (builder->failed)
+        return;
+    struct world_vertex vertex = builder->vertices[ring];
+    unsigned rim = (unsigned)builder->vertex_count;
+    for (int s = 0; s <= sides + 1; s++) {
+        vertex = builder->failed ? vertex : builder->vertices[ring + (unsigned)(s <= sides ? s : 0)];
+        for (int c = 0; c < 3; c++) {
+            vertex.position[c] = s <= sides ? vertex.position[c] : (float)middle[c];
+            vertex.normal[c] = (float)(first ? -along[c] : along[c]);
+        }
+        builder_vertex(builder, &vertex);
+    }
+    for (unsigned s = 0; s < (unsigned)sides; s++)
+        builder_triangle(builder, rim + (unsigned)sides + 1, rim + s + first, rim + s + !first);
+}
+
 void piece_tube(struct world_builder *builder, const double (*line)[3], int points, double radius, int sides,
                 const double color[3])
 {
     unsigned first = (unsigned)builder->vertex_count;
-    double side[3] = {0.31, 0.17, 0.93}, length = 0; /* along no axis */
+    double side[3] = {0.31, 0.17, 0.93} /* along no axis */, ends[2][3] = {{0}}, length = 0;
     for (int p = 0; p < points; p++) {
         const double *before = line[p > 0 ? p - 1 : p], *after = line[p + 1 < points ? p + 1 : p];
         double along[3], step[3];
@@ -123,6 +143,9 @@ void piece_tube(struct world_builder *builder, const double (*line)[3], int poin
         length += length_of(step);
         normalize(along);
         add_ring(builder, line[p], along, side, radius, sides, length, color);
+        memcpy(ends[p > 0], along, sizeof along);
     }
     builder_grid(builder, first, sides + 1, points);
+    add_end(builder, first, sides, line[0], ends[0], true);
+    add_end(builder, first + (unsigned)((points - 1) * (sides + 1)), sides, line[points - 1], ends[1], false);
 }

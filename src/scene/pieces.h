@@ -15,7 +15,7 @@ void piece_panel(struct world_builder *builder, const double corner[3], const do
 void piece_block(struct world_builder *builder, const double low[3], const double high[3], double cell,
                  const double color[3]);
 
-/* Adds a round tube along a line of points, open at its ends. */
+/* Adds a round tube along a line of points, with flat ends. */
 void piece_tube(struct world_builder *builder, const double (*line)[3], int points, double radius, int sides,
                 const double color[3]);
 

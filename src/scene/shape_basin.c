@@ -26,9 +26,9 @@ struct side {
 static void add_strip(struct world_builder *builder, const struct side *side, const double low[2], const double high[2],
                       double cell, const double color[3])
 {
-    double behind = fmax(low[1], high[1]), half = side->half + (side->corners && behind > 0 ? behind : 0);
-    if (!side->corners && behind > 0)
-        half += fmin(low[1], 0);
+    double half = side->half;
+    if (low[1] != 0 || high[1] != 0) /* as far as the strips of the sides with corners begin or end */
+        half += side->corners ? high[1] : low[1];
     const double corner[3] = {(side->out + low[1]) * side->x + half * side->z, low[0],
                               (side->out + low[1]) * side->z - half * side->x};
     const double right[3] = {-2 * half * side->z, 0, 2 * half * side->x};

@@ -147,7 +147,10 @@ static void add_thwarts(struct world_builder *builder, const struct scene_object
 {
     const double *size = object->size, top = 0.5 * size[1], thick = 0.035 * size[1], wide = 0.05 * size[0];
     for (int t = 0; t < THWARTS; t++) {
-        double along = 0.16 + 0.26 * t, half = hull_half_breadth(size, along, top) * 0.985, middle[3];
+        double along = 0.16 + 0.26 * t, middle[3];
+        double half = fmin(hull_half_breadth(size, along - 0.03, top - thick),
+                           hull_half_breadth(size, along + 0.03, top - thick)) -
+                      0.5 * THICKNESS * size[2];
         hull_point(size, along, 0.6, middle);
         piece_block(builder, (double[3]){middle[0] - wide / 2, top - thick, -half},
                     (double[3]){middle[0] + wide / 2, top, half}, 0.1, wood_color);
@@ -164,6 +167,8 @@ static bool build(struct world_builder *builder, const struct scene_object *obje
     add_timbers(builder, object);
     add_thwarts(builder, object);
     struct world_part boards = piece_material(object, WORLD_PLANKS);
+    for (int c = 0; c < 3 && object->pattern == WORLD_PLAIN; c++)
+        boards.joint[c] = 0.3 * wood_color[c];
     builder_part(builder, &boards);
     add_floor(builder, object);
     return builder_ok(builder);

@@ -15,18 +15,19 @@
 
 static const double bollard_color[3] = {0.05, 0.05, 0.055};
 
-/* Pushes the vertices of a face in and out, and darkens what is low, where weed and wet are. */
-static void weather(struct world_builder *builder, int first_vertex, int first_index, double height, int seed)
+/* Pushes the vertices of a face in and out, less at its ends, and darkens what is low, where weed and wet are. */
+static void weather(struct world_builder *builder, const struct scene_object *object, int first_vertex, int first_index,
+                    int seed)
 {
     for (int v = first_vertex; v < builder->vertex_count; v++) {
         struct world_vertex *vertex = builder->vertices + v;
-        double place[3], up = (double)vertex->position[1] / height;
+        double place[3], up = (double)vertex->position[1] / object->size[1];
         for (int c = 0; c < 3; c++)
             place[c] = (double)vertex->position[c] * 1.7;
         double rough = noise_fractal(place, 4, (uint64_t)seed), stain = noise_fractal(place, 3, (uint64_t)seed + 50);
         double shade = fmin(fmax(0.55 + 0.6 * up + 0.35 * stain, 0.3), 1.1);
-        if (vertex->position[1] > 0 && up < 1)
-            vertex->position[2] += (float)(ROUGHNESS * (rough - 0.5));
+        double inside = fmin(fmax(object->size[0] / 2 - fabs((double)vertex->position[0]), 0) / 0.5, 1);
+        vertex->position[2] += (float)(ROUGHNESS * inside * rough);
         for (int c = 0; c < 3; c++)
             vertex->color[c] *= (float)fmin(shade * (c == 1 ? 1 : 0.94 + 0.06 * up), 1);
     }
@@ -42,7 +43,7 @@ static void add_wall(struct world_builder *builder, const struct scene_object *o
     int vertex = builder->vertex_count, index = builder->index_count;
     piece_panel(builder, (double[3]){-x / 2, 0, front}, (double[3]){x, 0, 0}, (double[3]){0, y, 0}, cell,
                 object->color);
-    weather(builder, vertex, index, object->size[1], seed);
+    weather(builder, object, vertex, index, seed);
     piece_panel(builder, (double[3]){x / 2, 0, front}, (double[3]){0, 0, -z / 2 - front}, (double[3]){0, y, 0}, 0.25,
                 object->color);
     piece_panel(builder, (double[3]){-x / 2, 0, -z / 2}, (double[3]){0, 0, z / 2 + front}, (double[3]){0, y, 0}, 0.25,

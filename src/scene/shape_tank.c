@@ -34,8 +34,12 @@ static void add_table(struct world_builder *builder, const struct scene_object *
 {
     struct world_part wood = piece_material(object, WORLD_PLANKS);
     const double x = object->size[0] / 2 + TABLE_MARGIN, z = object->size[2] / 2 + TABLE_MARGIN;
+    for (int c = 0; c < 3 && object->pattern == WORLD_PLAIN; c++)
+        wood.joint[c] = 0.3 * object->color[c];
     builder_part(builder, &wood);
     piece_block(builder, (double[3]){-x, -TABLE_TOP, -z}, (double[3]){x, 0, z}, 0.1, object->color);
+    wood.pattern = WORLD_PLAIN;
+    builder_part(builder, &wood);
     for (int leg = 0; leg < 4; leg++) {
         double a = leg & 1 ? x - LEG - 0.05 : -x + 0.05, b = leg & 2 ? z - LEG - 0.05 : -z + 0.05;
         piece_block(builder, (double[3]){a, -TABLE_HEIGHT, b}, (double[3]){a + LEG, -TABLE_TOP, b + LEG}, 0.1,
