@@ -3,6 +3,7 @@
 #include "base/log.h"
 #include "light/detail.h"
 #include "optics/refraction.h"
+#include "scene/world.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -25,10 +26,40 @@ static const struct dpl_param camera_params[] = {
     PARAM_END,
 };
 
+/* Where nothing is laid, there is sand. */
+static const char *floor_pattern_name(int i)
+{
+    return i == WORLD_PLAIN ? "sand" : world_pattern_name(i);
+}
+
 static const struct dpl_param floor_params[] = {
     PARAM_COLOR(struct scene_floor, color, 1, "mean colour of the sand", 0.71, 0.67, 0.51),
     PARAM_FLOAT(struct scene_floor, contrast, 1, 0, 4, "", "how much the sand's brightness varies; 0 = plain"),
     PARAM_FLOAT(struct scene_floor, grain, 0.008, 0.0005, 1, "m", "size of the smallest spots of the sand"),
+    PARAM_FLOAT(struct scene_floor, relief_height, 0, 0, 100, "m",
+                "look physical: how high the ripples of the sand are; 0 = flat"),
+    PARAM_FLOAT(struct scene_floor, relief_length, 0.25, 0.001, 1000, "m",
+                "from one crest of the ripples to the next, at least 1/256 of the tile"),
+    PARAM_FLOAT(struct scene_floor, relief_turn, 20, -360, 360, "degrees", "way across the crests, from +x towards +z"),
+    PARAM_TEXT(
+        struct scene_floor, relief_map,
+        "picture of the relief over the tile in place of ripples: black is relief_height below the mean, white as "
+        "much above"),
+    PARAM_FLOAT(struct scene_floor, extent, 0, 0, 10000, "m", "side of the square that the floor fills; 0 = endless"),
+    PARAM_CHOICE(struct scene_floor, pattern, WORLD_PLAIN, floor_pattern_name, "what the floor is laid with"),
+    PARAM_FLOAT(struct scene_floor, pattern_size, 0.15, 0.001, 1000, "m",
+                "side of a tile, width of a plank, height of a block"),
+    PARAM_COLOR(struct scene_floor, joint, 1, "reflectance between tiles, planks or blocks", 0.5, 0.5, 0.48),
+    PARAM_END,
+};
+
+static const struct dpl_param current_params[] = {
+    PARAM_FLOAT(struct scene_current, strength, 1, 0, 10, "", "how far plants sway; 0 = they stand still"),
+    PARAM_FLOAT(struct scene_current, azimuth, 20, -360, 360, "degrees",
+                "way that they sway along, from +x towards +z"),
+    PARAM_FLOAT(struct scene_current, period, 4, 0.1, 1000, "s",
+                "of one sway; where the scene loops a part of its loop"),
+    PARAM_FLOAT(struct scene_current, length, 5, 0.1, 10000, "m", "from places that sway alike to the next"),
     PARAM_END,
 };
 
@@ -56,7 +87,9 @@ static const struct fixed_section fixed_sections[] = {
     {"sphere", "a ball in the water", water_sphere_params, offsetof(struct dpl_scene, sphere)},
     {"caustics", "the caustic map", light_settings_params, offsetof(struct dpl_scene, caustics)},
     {"camera", "the view", camera_params, offsetof(struct dpl_scene, camera)},
-    {"floor", "the sand", floor_params, offsetof(struct dpl_scene, floor)},
+    {"floor", "the floor: its sand, its relief", floor_params, offsetof(struct dpl_scene, floor)},
+    {"current", "water that goes to and fro below the waves, and plants with it", current_params,
+     offsetof(struct dpl_scene, current)},
     {"render", "the picture", render_params, offsetof(struct dpl_scene, render)},
 };
 enum { FIXED_COUNT = sizeof fixed_sections / sizeof *fixed_sections };

@@ -22,6 +22,19 @@ struct scene_camera {
 struct scene_floor {
     double color[3];
     double contrast, grain;
+    double relief_height, relief_length; /* m */
+    double relief_turn;                  /* degrees */
+    char relief_map[DPL_PARAM_TEXT_SIZE];
+    double extent;       /* m; 0: endless */
+    int pattern;         /* enum world_pattern; WORLD_PLAIN: sand */
+    double pattern_size; /* m */
+    double joint[3];
+};
+
+/* Section [current]: how the water goes to and fro, by which what grows in it sways. */
+struct scene_current {
+    double strength, azimuth; /* degrees */
+    double period, length;    /* s, m */
 };
 
 struct scene_render {
@@ -40,6 +53,7 @@ struct dpl_scene {
     struct light_settings caustics;
     struct scene_camera camera;
     struct scene_floor floor;
+    struct scene_current current;
     struct scene_render render;
     void *model_params[WATER_MODELS_MAX];         /* as water_models; NULL: it has none */
     void *technique_params[LIGHT_TECHNIQUES_MAX]; /* as light_techniques */
