@@ -13,7 +13,6 @@
 /* Section [sky]. */
 enum sky_model { SKY_CLEAR, SKY_OVERCAST, SKY_ENVIRONMENT };
 struct optics_sky_settings {
-<<<<<<< HEAD
     int model;                             /* enum sky_model */
     double turbidity;                      /* of the clear sky: haze; 1 is clean air */
     double sun;                            /* share of the direct sun's light that clouds let pass: 1 clear, 0 none;
@@ -22,15 +21,6 @@ struct optics_sky_settings {
     double ground[3];                      /* reflectance of what lies beyond the horizon */
     double turn;                           /* degrees, of the environment about the vertical, from +x towards +z */
     char environment[DPL_PARAM_TEXT_SIZE]; /* .exr, .pfm: a picture of the whole sky, of which the upper half is used */
-=======
-    int model;             /* enum sky_model */
-    double turbidity;      /* of the clear sky: haze; 1 is clean air */
-    double sun;            /* share of the direct sun's light that clouds let pass: 1 clear, 0 none */
-    double brightness;     /* times everything */
-    double ground[3];      /* reflectance of what lies beyond the horizon */
-    double turn;           /* degrees, of the environment about the vertical */
-    char environment[256]; /* .exr, .pfm: a picture of the whole sky, its upper half above the horizon */
->>>>>>> wip-shapes
 };
 extern const struct dpl_param optics_sky_params[];
 
@@ -47,15 +37,10 @@ struct optics_sky {
     double sun[3]; /* irradiance of the sun's disc on a surface across its rays */
     double sun_radiance[3]; /* of the disc, where it has a width; of one 0.2665° wide where it is a point */
     double irradiance[3];   /* of the sky alone on a horizontal surface */
-<<<<<<< HEAD
     double harmonics[9][3]; /* radiance in real spherical harmonics up to order 2, in the usual order (Sloan 2008) and
                                all with positive signs: 1; y, z, x; x y, y z, 3 z² - 1, x z, x² - y² */
     uint64_t fingerprint;   /* of what it was made from; changes when the light changes */
     struct sky_kept *kept;  /* tables, and the environment's picture */
-=======
-    double harmonics[9][3]; /* radiance in real spherical harmonics up to order 2, in the usual order (Sloan 2008) */
-    uint64_t fingerprint;   /* of what it was made from; changes when the light changes */
->>>>>>> wip-shapes
 };
 
 /* Makes the sky of the settings and the sun, or leaves it where both are as they were. False (logged): no memory, or an
