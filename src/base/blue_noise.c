@@ -33,7 +33,8 @@ void blue_noise(int seed, int ranks[COUNT])
     float gaussian[COUNT], energy[COUNT];
     fill_gaussian(gaussian);
     for (int i = 0; i < COUNT; i++) {
-        energy[i] = 1e-3f * (float)(random_mix((uint64_t)(i + 1) * 0x9e3779b97f4a7c15u + (uint64_t)seed) >> 40) / (1 << 24);
+        energy[i] =
+            1e-3f * (float)(random_mix((uint64_t)(i + 1) * 0x9e3779b97f4a7c15u + (uint64_t)seed) >> 40) / (1 << 24);
         ranks[i] = -1;
     }
     for (int rank = 0; rank < COUNT; rank++) {

@@ -74,25 +74,6 @@ bool target_copy(struct dpl_gl *gl, struct gpu_target *target, GLuint framebuffe
     return true;
 }
 
-/* Bytes, bottom row first, to floats, top row first. */
-static void bytes_to_image(const unsigned char *bytes, struct dpl_image *image)
-{
-    for (int y = 0; y < image->height; y++) {
-        const unsigned char *row = bytes + (size_t)(image->height - 1 - y) * (size_t)image->width * 4;
-        float *out = image->pixels + (size_t)y * (size_t)image->width * 3;
-        for (int x = 0; x < image->width; x++)
-            for (int c = 0; c < 3; c++)
-                out[x * 3 + c] = (float)row[x * 4 + c] / 255.0f;
-    }
-}
-
-void target_read(struct dpl_gl *gl, struct gpu_target *target, unsigned char *bytes, struct dpl_image *image)
-{
-    gl->BindFramebuffer(GL_FRAMEBUFFER, target->color.framebuffer);
-    gl->ReadPixels(0, 0, target->width, target->height, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
-    bytes_to_image(bytes, image);
-}
-
 void target_finish(struct dpl_gl *gl, struct gpu_target *target)
 {
     program_finish(gl, &target->copy);

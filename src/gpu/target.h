@@ -2,7 +2,6 @@
 #ifndef GPU_TARGET_H
 #define GPU_TARGET_H
 
-#include "dapple/image.h"
 #include "gpu/program.h"
 #include "gpu/texture.h"
 
@@ -26,9 +25,6 @@ void target_resolve(struct dpl_gl *gl, struct gpu_target *target);
 
 /* Draws `color` over a framebuffer of the same size; 0 is the window. */
 bool target_copy(struct dpl_gl *gl, struct gpu_target *target, GLuint framebuffer);
-
-/* Reads `color` into an image of the same size, 0 to 1, top row first; `bytes` is room for 4 a pixel. */
-void target_read(struct dpl_gl *gl, struct gpu_target *target, unsigned char *bytes, struct dpl_image *image);
 
 void target_finish(struct dpl_gl *gl, struct gpu_target *target);
 

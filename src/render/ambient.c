@@ -12,9 +12,15 @@
 static void sky_irradiance(const struct optics_sky *sky, const float n[3], double out[3])
 {
     const double x = (double)n[0], y = (double)n[1], z = (double)n[2];
-    const double basis[9] = {0.282095,          0.488603 * y,     0.488603 * z,
-                             0.488603 * x,      1.092548 * x * y, 1.092548 * y * z,
-                             0.315392 * (3 * z * z - 1), 1.092548 * x * z, 0.546274 * (x * x - y * y)};
+    const double basis[9] = {0.282095,
+                             0.488603 * y,
+                             0.488603 * z,
+                             0.488603 * x,
+                             1.092548 * x * y,
+                             1.092548 * y * z,
+                             0.315392 * (3 * z * z - 1),
+                             1.092548 * x * z,
+                             0.546274 * (x * x - y * y)};
     for (int c = 0; c < 3; c++) {
         double sum = 0;
         for (int i = 0; i < 9; i++)

@@ -34,7 +34,8 @@ static bool update_sky(struct physical *physical, const struct frame *frame)
         return false;
     if (physical->sky_texels.name && physical->sky_fingerprint == physical->sky.fingerprint)
         return true;
-    texture_resize(gl, &physical->sky_texels, gl->info.es ? GL_RGB16F : GL_RGB32F, SKY_COLUMNS, SKY_ROWS, TEXTURE_REPEAT, TEXTURE_MIPMAP);
+    texture_resize(gl, &physical->sky_texels, gl->info.es ? GL_RGB16F : GL_RGB32F, SKY_COLUMNS, SKY_ROWS,
+                   TEXTURE_REPEAT, TEXTURE_MIPMAP);
     texture_upload(gl, &physical->sky_texels, physical->sky.texels);
     texture_make_mipmaps(gl, &physical->sky_texels);
     physical->sky_fingerprint = physical->sky.fingerprint;
@@ -45,8 +46,8 @@ static bool update_layers(struct physical *physical, const struct frame *frame)
 {
     for (int i = 0; i < LAYERS; i++) {
         int share = i == LAYER_MIRROR ? physical->quality.mirror_share : 1;
-        if (!layer_resize(frame->gl, physical->layers + i, GL_RGBA16F, (frame->width + share - 1) / share,
-                          (frame->height + share - 1) / share))
+        if (!layer_resize(frame->gl, physical->layers + i, GL_RGBA16F, (frame->view.columns + share - 1) / share,
+                          (frame->view.rows + share - 1) / share))
             return false;
     }
     return true;
@@ -55,7 +56,7 @@ static bool update_layers(struct physical *physical, const struct frame *frame)
 /* On which side of the water the eye is. */
 static double eye_side(const struct frame *frame)
 {
-    const double *eye = frame->scene->camera.position;
+    const double *eye = frame->camera->position;
     double x = eye[0], z = eye[2], height, slopes[2], shifts[2], area;
     struct water_points point = {1, &x, &z, &height, slopes, slopes + 1, shifts, shifts + 1, &area};
     double extent = waves_extent(frame);
@@ -112,7 +113,7 @@ static void draw_sea(const struct physical *physical, const struct frame *frame)
     physical_bind(physical, frame, program);
     physical_bind_layers(physical, frame, program);
     gl->Enable(GL_DEPTH_TEST);
-    rings_draw(&physical->rings, frame, program, frame->scene->camera.position[1], HORIZON, waves_extent(frame));
+    rings_draw(&physical->rings, frame, program, frame->camera->position[1], HORIZON, waves_extent(frame));
     gl->Disable(GL_DEPTH_TEST);
 }
 
@@ -137,7 +138,7 @@ static void draw(void *state, const struct frame *frame)
         shafts_draw(physical, frame);
     }
     gl->BindFramebuffer(GL_FRAMEBUFFER, frame->target->framebuffer);
-    gl->Viewport(0, 0, frame->width, frame->height);
+    gl->Viewport(0, 0, frame->view.columns, frame->view.rows);
     gl->Enable(GL_SCISSOR_TEST);
     timer_pass(frame->timer, "backdrop");
     draw_backdrop(physical, frame);

@@ -3,6 +3,7 @@
 #include "light/map_texture.h"
 #include "optics/refraction.h"
 #include "optics/water_types.h"
+#include "scene/sway.h"
 
 #include <math.h>
 #include <string.h>
@@ -50,14 +51,14 @@ struct physical_light physical_light(const struct optics_sky *sky, const struct 
 static void bind_sight(const struct physical *physical, const struct frame *frame, const struct gpu_program *program)
 {
     struct dpl_gl *gl = frame->gl;
-    const struct scene_camera *camera = &frame->scene->camera;
+    const struct scene_camera *camera = frame->camera;
     program_mat4(gl, program, "view_projection", frame->view_projection);
     program_vec3(gl, program, "eye", camera->position);
     program_vec3(gl, program, "ahead", frame->rays.ahead);
     program_vec3(gl, program, "right", frame->rays.right);
     program_vec3(gl, program, "up", frame->rays.up);
     program_vec2(gl, program, "planes", camera->near_plane, camera->far_plane);
-    program_vec2(gl, program, "picture", frame->width, frame->height);
+    program_vec2(gl, program, "picture", frame->view.columns, frame->view.rows);
     program_float(gl, program, "ior", frame->scene->medium.ior);
     program_float(gl, program, "side", physical->side);
 }
@@ -82,7 +83,7 @@ static void bind_light(const struct physical *physical, const struct frame *fram
     program_int(gl, program, "sky_texels", UNIT_SKY);
 }
 
-static void bind_maps(const struct physical *physical, const struct frame *frame, const struct gpu_program *program)
+static void bind_maps(const struct frame *frame, const struct gpu_program *program)
 {
     struct dpl_gl *gl = frame->gl;
     const struct dpl_scene *scene = frame->scene;
@@ -115,6 +116,15 @@ static void bind_shadow(const struct physical *physical, const struct frame *fra
     program_int(gl, program, "shadow_heights", UNIT_SHADOW);
 }
 
+/* Where the water carries what sways in it. */
+static void bind_sway(const struct frame *frame, const struct gpu_program *program)
+{
+    struct sway sway;
+    sway_now(frame->scene, frame->time, &sway);
+    program_vec4s(frame->gl, program, "sway_waves", SWAY_WAVES, sway.waves[0]);
+    program_vec4s(frame->gl, program, "sway_current", 1, sway.current);
+}
+
 static void bind_floor(const struct physical *physical, const struct frame *frame, const struct gpu_program *program)
 {
     struct dpl_gl *gl = frame->gl;
@@ -133,9 +143,10 @@ void physical_bind(const struct physical *physical, const struct frame *frame, c
 {
     bind_sight(physical, frame, program);
     bind_light(physical, frame, program);
-    bind_maps(physical, frame, program);
+    bind_maps(frame, program);
     bind_shadow(physical, frame, program);
     bind_floor(physical, frame, program);
+    bind_sway(frame, program);
     waves_bind(&physical->waves, frame, program, UNIT_WAVES);
 }
 

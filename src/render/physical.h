@@ -112,7 +112,8 @@ struct physical {
 void physical_bind(const struct physical *physical, const struct frame *frame, const struct gpu_program *program);
 
 /* The layers, and the light shafts, once they are drawn. */
-void physical_bind_layers(const struct physical *physical, const struct frame *frame, const struct gpu_program *program);
+void physical_bind_layers(const struct physical *physical, const struct frame *frame,
+                          const struct gpu_program *program);
 
 /* The light of the scene, from its sky. */
 struct physical_light physical_light(const struct optics_sky *sky, const struct frame *frame);

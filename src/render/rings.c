@@ -60,7 +60,7 @@ void rings_draw(const struct rings *rings, const struct frame *frame, const stru
                 double farthest, double extent)
 {
     struct dpl_gl *gl = frame->gl;
-    const double *eye = frame->scene->camera.position;
+    const double *eye = frame->camera->position;
     double middle, half = half_angle(&frame->rays, &middle), nearest = NEAREST * fmax(fabs(height), 0.05);
     const float radii[2] = {(float)nearest, (float)fmax(farthest, 2 * nearest)};
     const float angles[2] = {(float)(middle - half), (float)(2 * half / (rings->around - 1))};

@@ -47,13 +47,17 @@ void seabed_draw(const struct physical *physical, const struct frame *frame, enu
     struct dpl_gl *gl = frame->gl;
     const struct dpl_scene *scene = frame->scene;
     const struct gpu_program *program = &physical->seabed.program;
-    double height = scene->camera.position[1] + scene->settings.depth;
+    double height = frame->camera->position[1] + scene->settings.depth;
     program_use(gl, program);
     physical_bind(physical, frame, program);
     program_int(gl, program, "layer", (int)layer);
     program_float(gl, program, "layer_wet", wet ? 1 : -1);
+    program_int(gl, program, "pattern", scene->floor.pattern);
+    program_float(gl, program, "pattern_size", scene->floor.pattern_size);
+    program_vec3(gl, program, "pattern_joint", scene->floor.joint);
+    program_vec3(gl, program, "floor_color", scene->floor.color);
     program_float(gl, program, "seabed_extent", scene->floor.extent / 2);
-    rings_draw(&physical->rings, frame, program, height, fmin(scene->camera.far_plane, 1000) * FARTHEST,
+    rings_draw(&physical->rings, frame, program, height, fmin(frame->camera->far_plane, 1000) * FARTHEST,
                scene->floor.extent / 2);
 }
 

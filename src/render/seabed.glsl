@@ -20,10 +20,14 @@ void main()
 }
 #else
 #include "render/receiver.glsl"
+#include "scene/pattern.glsl"
 uniform sampler2D sand;
 uniform sampler2D floor_ambient; /* irradiance from all around */
 uniform vec3 ambient_square;     /* m: the least x and z, and the side, that it covers */
 uniform float seabed_extent;     /* m, half a side; 0: it has no end */
+uniform int pattern;            /* scene/pattern.glsl; plain: sand */
+uniform float pattern_size;
+uniform vec3 pattern_joint, floor_color;
 uniform float layer_wet;         /* 1: what is in the water is drawn, -1: what is not */
 in vec3 position;
 out vec4 color;
@@ -33,7 +37,10 @@ void main()
     vec2 place = position.xz / relief_size + 0.5;
     vec2 slopes = texture(relief_texels, place).yz;
     vec3 normal = normalize(vec3(-slopes.x, 1.0, -slopes.y));
+    vec2 width = fwidth(position.xz);
     vec3 reflectance = texture(sand, place).rgb;
+    if (pattern != PATTERN_PLAIN)
+        reflectance = pattern_color(pattern, pattern_size, pattern_joint, floor_color, position.xz, width);
     vec3 ambient = texture(floor_ambient, (position.xz - ambient_square.xy) / ambient_square.z).rgb;
     bool wet = waves_wet(position);
     vec3 radiance = receiver_radiance(position, normal, reflectance, ambient, wet);

@@ -34,6 +34,13 @@ float shadow_radius(vec3 point, float above)
     return (above - wet) * shadow_disc + wet * shadow_waves;
 }
 
+/* How much higher the surface at a point is where light passes a metre beside its own, along x and z. */
+vec2 shadow_rise(vec3 normal, vec2 slant)
+{
+    float facing = normal.y + dot(normal.xz, slant);
+    return -normal.xz / max(facing, 0.15);
+}
+
 /* The share of the sun that a point sees. Points around its light's place, on a spiral of equal areas (Vogel 1979), ask
  * first how high what stands in the way is, then how much of the light it covers. */
 float shadow_light(vec3 point, vec3 normal, vec3 to_sun)
@@ -41,18 +48,20 @@ float shadow_light(vec3 point, vec3 normal, vec3 to_sun)
     const mat2 turn = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688); /* by the golden angle */
     if (shadow_span.y == 0.0)
         return 1.0;
-    float texel = shadow_square.z / float(textureSize(shadow_heights, 0).x);
-    point += normal * texel;
+    float texel = max(shadow_square.z, shadow_square.w) / float(textureSize(shadow_heights, 0).x);
+    vec2 rise = shadow_rise(normal, point.y > 0.0 ? to_sun.xz / to_sun.y : sun_way.xz / sun_way.y);
     vec2 place = (shadow_crossing(point, to_sun) - shadow_square.xy) / shadow_square.zw;
     float most = shadow_span.x + shadow_span.y - point.y, angle = 6.2831853 * shadow_noise();
     if (most <= 0.0 || any(lessThan(place, vec2(0.0))) || any(greaterThan(place, vec2(1.0))))
         return 1.0;
-    float bias = point.y + 2.0 * texel, radius = max(shadow_radius(point, most), texel), covered = 0.0, heights = 0.0;
+    float bias = point.y + texel * (1.0 + length(rise)), radius = max(shadow_radius(point, most), texel), covered = 0.0, heights = 0.0;
     vec2 first = vec2(cos(angle), sin(angle)), direction = first;
     for (int i = 0; i < 4; i++) {
-        float height = shadow_height(place + direction * sqrt((float(i) + 0.5) / 4.0) * radius / shadow_square.zw);
-        covered += step(bias, height);
-        heights += step(bias, height) * height;
+        vec2 away = direction * sqrt((float(i) + 0.5) / 4.0) * radius;
+        float height = shadow_height(place + away / shadow_square.zw);
+        float hidden = step(bias + dot(rise, away), height);
+        covered += hidden;
+        heights += hidden * height;
         direction = turn * direction;
     }
     if (covered == 0.0)
@@ -61,8 +70,8 @@ float shadow_light(vec3 point, vec3 normal, vec3 to_sun)
     direction = first;
     covered = 0.0;
     for (int i = 0; i < shadow_taps; i++) {
-        float reach = sqrt((float(i) + 0.5) / float(shadow_taps)) * radius;
-        covered += step(bias, shadow_height(place + direction * reach / shadow_square.zw));
+        vec2 away = direction * sqrt((float(i) + 0.5) / float(shadow_taps)) * radius;
+        covered += step(bias + dot(rise, away), shadow_height(place + away / shadow_square.zw));
         direction = turn * direction;
     }
     return 1.0 - covered / float(shadow_taps);

@@ -1,4 +1,5 @@
-/* Light shafts, seen from in the water: marched in a small picture, smoothed, and read by those who draw the large one. */
+/* Light shafts, seen from in the water: marched in a small picture, smoothed, and read by those who draw the large one.
+ */
 #include "render/physical.h"
 
 #include "base/blue_noise.h"
@@ -23,7 +24,7 @@ bool shafts_prepare(struct shafts *shafts, const struct frame *frame, const stru
 {
     struct dpl_gl *gl = frame->gl;
     int share = quality->shaft_share;
-    int width = (frame->width + share - 1) / share, height = (frame->height + share - 1) / share;
+    int width = (frame->view.columns + share - 1) / share, height = (frame->view.rows + share - 1) / share;
     if (!shafts->noise.name)
         make_noise(shafts, gl);
     texture_resize(gl, &shafts->raw, GL_RGBA16F, width, height, TEXTURE_CLAMP, TEXTURE_NEAREST);
@@ -42,6 +43,7 @@ void shafts_draw(struct physical *physical, const struct frame *frame)
     texture_draw_to(gl, &shafts->raw);
     program_use(gl, march);
     physical_bind(physical, frame, march);
+    physical_bind_layers(physical, frame, march);
     texture_bind(gl, &shafts->noise, UNIT_NOISE);
     program_int(gl, march, "noise", UNIT_NOISE);
     program_int(gl, march, "steps", physical->quality.shaft_steps);

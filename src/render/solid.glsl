@@ -25,6 +25,9 @@ void main()
 #include "scene/pattern.glsl"
 uniform float layer_wet; /* 1: what is in the water is drawn, -1: what is not */
 uniform int two_sided;
+uniform int pattern; /* of the part: scene/world.h */
+uniform float pattern_size;
+uniform vec3 pattern_joint;
 in vec3 position, normal, base, ambient;
 in vec2 place;
 out vec4 color;
@@ -32,9 +35,9 @@ out vec4 color;
 void main()
 {
     vec3 facing = normalize(normal);
-    if (two_sided != 0 && dot(facing, eye - position) * (layer == LAYER_DIRECT ? 1.0 : 0.0) < 0.0)
+    if (two_sided != 0 && dot(facing, eye - position) < 0.0)
         facing = -facing;
-    vec3 reflectance = pattern_color(base, place);
+    vec3 reflectance = pattern_color(pattern, pattern_size, pattern_joint, base, place, fwidth(place));
     bool wet = waves_wet(position);
     vec3 radiance = receiver_radiance(position, facing, reflectance, ambient, wet);
     if (wet != (layer_wet > 0.0))

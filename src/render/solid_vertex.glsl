@@ -6,5 +6,5 @@ layout(location = 4) in float vertex_sway;
 
 vec3 solid_position()
 {
-    return vertex_position + sway(vertex_position, vertex_sway);
+    return vertex_position + sway_move(vertex_position, vertex_sway);
 }

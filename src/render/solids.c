@@ -44,8 +44,8 @@ void solids_upload(struct solids *solids, struct dpl_gl *gl, const struct world 
         gl->BindBuffer(GL_ARRAY_BUFFER, solids->vertices);
         gl->BufferData(GL_ARRAY_BUFFER, world->vertex_count * (GLsizeiptr)sizeof *world->vertices, world->vertices,
                        GL_STATIC_DRAW);
-        gl->BufferData(GL_ELEMENT_ARRAY_BUFFER, world->index_count * (GLsizeiptr)sizeof *world->indices,
-                       world->indices, GL_STATIC_DRAW);
+        gl->BufferData(GL_ELEMENT_ARRAY_BUFFER, world->index_count * (GLsizeiptr)sizeof *world->indices, world->indices,
+                       GL_STATIC_DRAW);
         solids->fingerprint = world->fingerprint;
     }
     gl->BindBuffer(GL_ARRAY_BUFFER, solids->ambient);

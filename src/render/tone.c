@@ -30,13 +30,13 @@ void tone_add(struct dpl_gl *gl, struct tone *tone, int index)
     gl->Disable(GL_BLEND);
 }
 
-void tone_show(struct dpl_gl *gl, struct tone *tone, const struct dpl_scene *scene)
+void tone_show(struct dpl_gl *gl, struct tone *tone, double exposure, int curve)
 {
     program_use(gl, &tone->show);
     texture_bind(gl, &tone->mean, 0);
     program_int(gl, &tone->show, "radiance", 0);
-    program_float(gl, &tone->show, "exposure", M_PI * exp2(scene->camera.exposure));
-    program_int(gl, &tone->show, "filmic", scene->render.tone == SCENE_TONE_FILMIC);
+    program_float(gl, &tone->show, "exposure", M_PI * exp2(exposure));
+    program_int(gl, &tone->show, "filmic", curve == SCENE_TONE_FILMIC);
     gpu_draw_screen(gl);
 }
 

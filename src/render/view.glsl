@@ -68,5 +68,5 @@ vec3 view_ray(vec2 place)
 float view_way(float depth, vec3 ray)
 {
     float far_side = planes.y - planes.x;
-    return 2.0 * planes.x * planes.y / (planes.y + planes.x - (2.0 * depth - 1.0) * far_side) / dot(ray, normalize(ahead));
+    return 2.0 * planes.x * planes.y / (planes.y + planes.x - (2.0 * depth - 1.0) * far_side) / dot(ray, normalize(cross(up, right)));
 }

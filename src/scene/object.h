@@ -20,7 +20,7 @@ struct scene_object {
     double spread;                  /* m, radius of the disc that the copies stand in */
     double variation;               /* share of the size by which copies are smaller */
     int seed;                       /* of what is random in the shape and in the places of its copies */
-    double sway;                    /* m that a current of strength 1 carries its top */
+    double sway;                    /* times as far as the shape's own */
     int pattern;                    /* enum world_pattern */
     double pattern_size;            /* m */
     double joint[3];                /* reflectance between a pattern's tiles */

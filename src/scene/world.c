@@ -3,6 +3,7 @@
 #include "base/hash.h"
 #include "scene/scene.h"
 #include "scene/world_copies.h"
+#include "scene/world_floor.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -12,13 +13,18 @@ static uint64_t fingerprint_of(const struct dpl_scene *scene)
     uint64_t value = hash_number(hash_start, scene->settings.size);
     value = hash_number(value, scene->settings.depth);
     value = hash_number(value, scene->settings.seed);
+    value = hash_number(value, scene->current.strength);
+    value = hash_number(value, scene->floor.relief_height);
+    value = hash_number(value, scene->floor.relief_length);
+    value = hash_number(value, scene->floor.relief_turn);
+    value = hash_bytes(value, scene->floor.relief_map, sizeof scene->floor.relief_map);
     for (int o = 0; o < scene->object_count; o++)
         value = hash_params(value, scene_object_params, scene->objects + o);
     return value ? value : 1; /* 0: no world yet */
 }
 
 /* The box around all vertices, and around the ways that they may go. */
-static void measure(struct world *world, double current)
+static void measure(struct world *world, double strength)
 {
     for (int c = 0; c < 3; c++) {
         world->low[c] = INFINITY;
@@ -26,7 +32,7 @@ static void measure(struct world *world, double current)
     }
     for (int v = 0; v < world->vertex_count; v++) {
         const struct world_vertex *vertex = world->vertices + v;
-        double reach = current * (double)vertex->sway;
+        double reach = strength * (double)vertex->sway;
         for (int c = 0; c < 3; c++) {
             world->low[c] = fmin(world->low[c], (double)vertex->position[c] - reach);
             world->high[c] = fmax(world->high[c], (double)vertex->position[c] + reach);
@@ -49,7 +55,7 @@ static bool build_objects(struct world *world, const struct dpl_scene *scene, co
     world->vertex_count = builder.vertex_count;
     world->index_count = builder.index_count;
     world->part_count = builder.part_count;
-    measure(world, 1);
+    measure(world, scene->current.strength);
     return true;
 }
 
@@ -58,7 +64,7 @@ bool world_build(struct world *world, const struct dpl_scene *scene, const struc
     struct world fresh = {.fingerprint = fingerprint_of(scene)};
     if (fresh.fingerprint == world->fingerprint)
         return true;
-    if (!build_objects(&fresh, scene, log)) {
+    if (!floor_build(&fresh, scene, log) || !build_objects(&fresh, scene, log)) {
         world_finish(&fresh);
         return false;
     }
@@ -74,11 +80,4 @@ void world_finish(struct world *world)
     free(world->parts);
     free(world->relief);
     *world = (struct world){0};
-}
-
-void world_floor(const struct world *world, double tile_size, double x, double z, double height_slopes[3])
-{
-    (void)world, (void)tile_size, (void)x, (void)z;
-    for (int c = 0; c < 3; c++)
-        height_slopes[c] = 0;
 }

@@ -39,7 +39,6 @@ static bool build_copy(struct world_builder *builder, const struct world *world,
     int first = builder->vertex_count;
     for (int a = 0; a < 3; a++)
         scaled.size[a] *= copy->scale;
-    scaled.sway *= copy->scale;
     builder_part(builder, &material);
     if (!scene_shapes[object->shape]->build(builder, &scaled, copy->seed))
         return false;
