@@ -80,7 +80,7 @@ static void the_floor_below_flat_water(void **state)
     const struct camera_sight view = look((const double[3]){0.2, 3, 0.3}, 1, -1, 0.05);
     const double sine = sin(M_PI / 3), inside = sqrt(1 - pow(cos(M_PI / 3) / 1.333, 2)), absorption = 0.3;
     shine(place, 0, 5);
-    place->world.water.present = true;
+    place->world.water.half = INFINITY;
     place->world.water.surface = surface;
     place->world.water.optics.absorption[1] = absorption;
     place->floor[1] = 0.02;
@@ -100,7 +100,7 @@ static void sky_through_snells_window(void **state)
     const double half = 2, edge = tan(asin(1 / 1.333));
     const struct camera_sight view = look((const double[3]){0.2, -0.6, 0.3}, 1, 1, half);
     shine(place, 1, 0);
-    place->world.water.present = true;
+    place->world.water.half = INFINITY;
     place->world.water.surface = surface;
     place->floor[0] = place->floor[1] = place->floor[2] = 0;
     draw(place, &view, &usual, 256, &picture);
@@ -127,7 +127,7 @@ static void shafts_of_still_water(void **state)
     const struct camera_sight view = look((const double[3]){0.2, -1.5, 0.3}, 0, 1, 0.01);
     shine(place, 0, 5);
     place->world.depth = 50;
-    place->world.water.present = true;
+    place->world.water.half = INFINITY;
     place->world.water.surface = surface;
     for (int c = 0; c < 3; c++) {
         optics->absorption[c] = 0.2;
@@ -141,7 +141,8 @@ static void shafts_of_still_water(void **state)
     double phase = (1 - g * g) / (4 * M_PI * pow(1 + g * g - 2 * g * along, 1.5));
     for (int c = 0; c < 3; c++) {
         double extinction = optics->absorption[c] + optics->scattering[c];
-        double beam = 5 * (1 - optics_fresnel_reflectance(sine, 1.333)) * sine / inside * exp(-extinction * 1.5 / inside);
+        double beam =
+            5 * (1 - optics_fresnel_reflectance(sine, 1.333)) * sine / inside * exp(-extinction * 1.5 / inside);
         expect(mean(&picture, c), beam * optics->scattering[c] * phase / extinction, 0.02);
     }
 }
@@ -155,8 +156,13 @@ static void caustics_are_those_that_were_counted(void **state)
     struct water_medium medium = {.ior = 1.333, .absorption = {0.35, 0.07, 0.03}};
     struct water_setup setup_ = {.size = 4, .depth = 1, .waves = &wave, .wave_count = 1};
     const double receiver = -1;
-    struct photons_task task = {.model = water_models[0], .setup = &setup_, .sun = &sun, .medium = &medium,
-                                .receivers = &receiver, .receiver_count = 1, .side = MAP};
+    struct photons_task task = {.model = water_models[0],
+                                .setup = &setup_,
+                                .sun = &sun,
+                                .medium = &medium,
+                                .receivers = &receiver,
+                                .receiver_count = 1,
+                                .side = MAP};
     static float map[MAP * MAP * 3];
     struct photons counted = {.passes = 0};
     assert_true(photons_begin(&counted, &task, NULL));
@@ -168,7 +174,7 @@ static void caustics_are_those_that_were_counted(void **state)
     struct surface *surface = at_rest(place);
     water_fill(water_models[0], &setup_, 0, surface);
     shine(place, 0, 5);
-    place->world.water.present = true;
+    place->world.water.half = INFINITY;
     place->world.water.surface = surface;
     place->world.water.optics = water_optics(&medium);
     struct camera_scene scene;
@@ -205,7 +211,8 @@ static void threads_do_not_show(void **state)
     struct surface *surface = at_rest(place);
     const struct camera_sight view = look((const double[3]){0, -0.5, 3}, 2, -1, 0.7);
     shine(place, 1, 5);
-    place->world.water = (struct camera_water){true, surface, {1.33, 1.333, 1.336}, {{0.3, 0.1, 0.1}, {0.1, 0.1, 0.2}, 0.8}};
+    place->world.water =
+        (struct camera_water){INFINITY, surface, {1.33, 1.333, 1.336}, 0.02, {{0.3, 0.1, 0.1}, {0.1, 0.1, 0.2}, 0.8}};
     put_box(place, (const double[3]){-1, -0.5, -1}, (const double[3]){1, 0.5, 1}, false);
     omp_set_num_threads(1);
     draw(place, &view, &usual, 2, &first);

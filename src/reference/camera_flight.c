@@ -22,7 +22,8 @@ static struct photon photon_of(const double place[3], const double vector[3], co
 }
 
 /* Where the sun shines on the water from above: false where it does not. */
-static bool start_on_top(struct camera_flight *flight, const double to_sun[3], double u, double v, struct camera_hit *hit)
+static bool start_on_top(struct camera_flight *flight, const double to_sun[3], double u, double v,
+                         struct camera_hit *hit)
 {
     static const double down[3] = {0, -1, 0};
     const struct camera_scene *scene = flight->scene;
@@ -40,10 +41,11 @@ static bool start_on_top(struct camera_flight *flight, const double to_sun[3], d
 }
 
 /* Where the sun shines on the sides of a block of water. */
-static bool start_on_side(struct camera_flight *flight, const double to_sun[3], double u, double v, struct camera_hit *hit)
+static bool start_on_side(struct camera_flight *flight, const double to_sun[3], double u, double v,
+                          struct camera_hit *hit)
 {
     const struct camera_world *world = &flight->scene->world;
-    double share = fabs(to_sun[0]) / (fabs(to_sun[0]) + fabs(to_sun[2])), half = world->size / 2;
+    double share = fabs(to_sun[0]) / (fabs(to_sun[0]) + fabs(to_sun[2])), half = flight->scene->water.half;
     int across = u < share ? 0 : 2;
     u = across == 0 ? u / share : (u - share) / (1 - share);
     *hit = (struct camera_hit){.what = CAMERA_WATER};
@@ -53,7 +55,7 @@ static bool start_on_side(struct camera_flight *flight, const double to_sun[3], 
     double height = world->depth + camera_tiles_height(&flight->scene->water, hit->position[0], hit->position[2]);
     hit->position[1] = v * height - world->depth;
     share = across == 0 ? share : 1 - share;
-    vector3_scale(world->sky->sun, fabs(to_sun[across]) * world->size * height / share, flight->flux);
+    vector3_scale(world->sky->sun, fabs(to_sun[across]) * 2 * half * height / share, flight->flux);
     return height > 0;
 }
 
@@ -122,7 +124,7 @@ void camera_fly(struct camera_flight *flight, const struct camera_scene *scene, 
 {
     *flight = (struct camera_flight){.scene = scene, .aim = aim, .draws = draws, .color = -1};
     double u = draws_next(&flight->draws), v = draws_next(&flight->draws), to_sun[3];
-    double sides = scene->world.endless ? 0 : SIDES;
+    double sides = isinf(scene->water.half) ? 0 : SIDES;
     struct camera_hit hit;
     camera_sun_place(scene, &flight->draws, to_sun);
     bool side = draws_next(&flight->draws) < sides;
