@@ -200,6 +200,25 @@ static void objects_are_tilted_and_then_turned(void **state)
     check_triangles(&fixture->world);
 }
 
+/* The side of a box that faces its own +x: turned by 30 degrees towards +z; tilted down by 20 first. */
+static void sides_face_where_they_are_turned(void **state)
+{
+    struct fixture *fixture = *state;
+    const double turn = 30 * M_PI / 180, tilt = 20 * M_PI / 180;
+    const double wanted[3] = {cos(turn) * cos(tilt), -sin(tilt), sin(turn) * cos(tilt)};
+    double nearest = -1;
+    support_set(fixture->scene, "object.a.turn", "30");
+    support_set(fixture->scene, "object.a.tilt", "20");
+    build(fixture);
+    check_vertices(&fixture->world);
+    check_triangles(&fixture->world);
+    for (int v = 0; v < fixture->world.vertex_count; v++) {
+        const float *normal = fixture->world.vertices[v].normal;
+        nearest = fmax(nearest, dot((const double[3]){normal[0], normal[1], normal[2]}, wanted));
+    }
+    expect_near(nearest, 1, 1e-6);
+}
+
 static void copies_stand_in_their_disc(void **state)
 {
     struct fixture *fixture = *state;
@@ -356,6 +375,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(shapes_have_their_size, setup, teardown),
         cmocka_unit_test_setup_teardown(boxes_are_divided, setup, teardown),
         cmocka_unit_test_setup_teardown(objects_are_tilted_and_then_turned, setup, teardown),
+        cmocka_unit_test_setup_teardown(sides_face_where_they_are_turned, setup, teardown),
         cmocka_unit_test_setup_teardown(copies_stand_in_their_disc, setup, teardown),
         cmocka_unit_test_setup_teardown(worlds_are_made_anew_where_something_changed, setup, teardown),
         cmocka_unit_test_setup_teardown(seeds_differ, setup, teardown),
