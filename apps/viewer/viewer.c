@@ -271,12 +271,12 @@ static void obey(struct viewer *viewer, const struct commands *commands, int wid
         viewer->clock.paused = !viewer->clock.paused;
     if (commands->step)
         clock_step(&viewer->clock);
-    if (commands->path)
-        path_toggle(&viewer->path, scene, &viewer->clock);
     if (commands->add_key)
         add_key(viewer);
     if (commands->clear_path)
         path_clear(scene);
+    if (commands->path)
+        path_toggle(&viewer->path, scene, &viewer->clock);
     obey_files(viewer, commands, width, height);
     if (commands->reset)
         document_reset(&viewer->document);
