@@ -43,8 +43,8 @@ DPL_API bool dpl_scene_load(struct dpl_scene *scene, const char *path_or_name);
 /* The same from `length` bytes of text; `name` stands for the file in messages. */
 DPL_API bool dpl_scene_read(struct dpl_scene *scene, const char *name, const char *text, size_t length);
 
-/* Sets one value, checked as in scene text. `wave.N` and `camera.N` come into being when one of their
- * keys is set; N is 1 to 64, and 1 to 16. */
+/* Sets one value, checked as in scene text. `wave.N`, `camera.N` and `object.NAME` come into being when one of their
+ * keys is set; N is 1 to 64, and 1 to 16; NAME is a word of letters, digits and `-`, and there may be 64 objects. */
 DPL_API bool dpl_scene_set(struct dpl_scene *scene, const char *key, const char *value);
 
 /* Takes away a section that came into being so, "wave.3". Where it is not there, nothing happens. */

@@ -7,14 +7,15 @@
 
 /* All zero: none yet. */
 struct gpu_target {
-    struct gpu_texture color;           /* RGBA8, one sample: the finished picture */
+    struct gpu_texture color;           /* one sample: the finished picture */
     GLuint framebuffer, samples, depth; /* what is drawn to; `samples` and `depth` are renderbuffers */
     int width, height, sample_count;
     struct gpu_program copy;
 };
 
-/* Makes it that size; more samples than the device has become as many as it has. */
-bool target_resize(struct dpl_gl *gl, struct gpu_target *target, int width, int height, int sample_count);
+/* Makes it that size, of RGBA8 or RGBA16F; more samples than the device has become as many as it has. */
+bool target_resize(struct dpl_gl *gl, struct gpu_target *target, GLenum format, int width, int height,
+                   int sample_count);
 
 /* Binds it for drawing and clears it. */
 void target_begin(struct dpl_gl *gl, struct gpu_target *target, const double background[3]);

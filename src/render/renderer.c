@@ -8,6 +8,7 @@
 #include "render/picture.h"
 #include "render/sand.h"
 #include "render/thumbnail.h"
+#include "render/tone.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -26,6 +27,7 @@ struct dpl_renderer {
     struct sand sand;
     void *look_states[SCENE_LOOKS_MAX]; /* made when first used */
     struct gpu_target target;
+    struct tone tone;
     struct thumbnails thumbnails;
     struct picture picture;
     struct scene_camera camera; /* of the frame under way */
@@ -55,6 +57,7 @@ void dpl_renderer_destroy(struct dpl_renderer *renderer)
         difference_finish(gl, &renderer->difference);
         sand_finish(gl, &renderer->sand);
         target_finish(gl, &renderer->target);
+        tone_finish(gl, &renderer->tone);
         thumbnails_finish(gl, &renderer->thumbnails);
         for (int i = 0; scene_looks[i]; i++)
             if (renderer->look_states[i])
@@ -103,7 +106,8 @@ struct dpl_image *dpl_renderer_surface(struct dpl_renderer *renderer, const stru
 struct dpl_image *dpl_renderer_slice(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time,
                                      int slice)
 {
-    int slices = scene_receivers(scene, renderer->lighting.receivers);
+    double receivers[LIGHT_SLICES_MAX];
+    int slices = scene_receivers(scene, receivers);
     if (slice < 0 || slice >= slices) {
         base_fail(renderer->log, DPL_REASON_RANGE,
                   "slice: out of range: \"%d\" (accepted: 0 to %d, as caustics.slices says)", slice, slices - 1);
@@ -196,7 +200,9 @@ static bool begin_frame(struct dpl_renderer *renderer, const struct dpl_scene *s
         .setup = &renderer->lighting.setup,
         .surface = &renderer->lighting.surface_gpu,
         .above = lighting_above(&renderer->lighting),
-        .windows = renderer->lighting.windows,
+        .windows = renderer->lighting.below.windows,
+        .reflected = renderer->lighting.maps[LIT_REFLECTED].shown,
+        .reflected_windows = renderer->lighting.above.windows,
         .sand = &renderer->sand.color,
         .timer = &renderer->timer,
     };
@@ -206,22 +212,64 @@ static bool begin_frame(struct dpl_renderer *renderer, const struct dpl_scene *s
     return true;
 }
 
+/* Points the frame's view through a place of the pixel, -0.5 to 0.5 each way. */
+static void move_view(struct frame *frame, const double place[2])
+{
+    const struct camera_view *view = &frame->view;
+    const double across[2] = {2 * place[0] / view->columns, 2 * place[1] / view->rows};
+    frame->rays = camera_rays(frame->camera, view);
+    camera_matrix(frame->camera, view, frame->view_projection);
+    for (int c = 0; c < 3; c++)
+        frame->rays.ahead[c] += across[0] * frame->rays.right[c] + across[1] * frame->rays.up[c];
+    for (int column = 0; column < 4; column++)
+        for (int a = 0; a < 2; a++)
+            frame->view_projection[column * 4 + a] -= (float)across[a] * frame->view_projection[column * 4 + 3];
+}
+
+/* A picture of a look with linear light: the mean of its samples, shown by the tone pass. */
+static bool draw_linear(struct dpl_renderer *renderer, struct frame *frame)
+{
+    struct dpl_gl *gl = renderer->gl;
+    struct tone *tone = &renderer->tone;
+    const double black[3] = {0, 0, 0};
+    int samples = frame->scene->render.samples;
+    for (int i = 0; i < samples; i++) {
+        double place[2];
+        tone_place(i, samples, place);
+        move_view(frame, place);
+        target_begin(gl, &tone->radiance, black);
+        if (!draw_picture(renderer, frame))
+            return false;
+        timer_pass(&renderer->timer, "samples");
+        tone_add(gl, tone, i);
+    }
+    timer_pass(&renderer->timer, "tone");
+    target_begin(gl, &renderer->target, black);
+    tone_show(gl, tone, frame->camera->exposure, frame->scene->render.tone);
+    return true;
+}
+
+static bool draw_encoded(struct dpl_renderer *renderer, struct frame *frame)
+{
+    target_begin(renderer->gl, &renderer->target, frame->scene->render.background);
+    bool ok = draw_picture(renderer, frame);
+    timer_pass(&renderer->timer, "finish");
+    target_resolve(renderer->gl, &renderer->target);
+    return ok;
+}
+
 /* The look into the renderer's own target. */
 static bool draw_view(struct dpl_renderer *renderer, struct frame *frame, const struct camera_view *view)
 {
-    struct dpl_gl *gl = renderer->gl;
     const struct scene_render *render = &frame->scene->render;
+    bool linear = scene_looks[render->look]->linear;
+    int columns = view->columns, rows = view->rows;
     frame->view = *view;
-    frame->rays = camera_rays(frame->camera, view);
-    camera_matrix(frame->camera, view, frame->view_projection);
-    if (!target_resize(gl, &renderer->target, view->columns, view->rows, render->samples) ||
-        !prepare_look(renderer, frame))
-        return false;
-    target_begin(gl, &renderer->target, render->background);
-    bool ok = draw_picture(renderer, frame);
-    timer_pass(&renderer->timer, "finish");
-    target_resolve(gl, &renderer->target);
-    return ok;
+    frame->target = linear ? &renderer->tone.radiance : &renderer->target;
+    move_view(frame, (const double[2]){0, 0});
+    return target_resize(renderer->gl, &renderer->target, GL_RGBA8, columns, rows, linear ? 1 : render->samples) &&
+           (!linear || tone_ready(renderer->gl, &renderer->tone, columns, rows)) && prepare_look(renderer, frame) &&
+           (linear ? draw_linear : draw_encoded)(renderer, frame);
 }
 
 bool dpl_renderer_draw(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time, unsigned framebuffer,
@@ -337,15 +385,15 @@ bool dpl_renderer_measure(struct dpl_renderer *renderer, struct dpl_measure *mea
         return base_fail(renderer->log, DPL_REASON_UNSUPPORTED, "nothing to measure: the last frame compared nothing");
     gpu_enter(renderer->gl);
     bool physical = true, ok = true;
-    struct dpl_image *images[LIT_MAPS];
-    for (int i = 0; i < LIT_MAPS; i++) {
+    struct dpl_image *images[2];
+    for (int i = 0; i < 2; i++) {
         images[i] = lighting_image(&renderer->lighting, maps + i, 0);
         physical = physical && light_techniques[maps[i].technique]->physical;
         ok = ok && images[i];
     }
     ok = ok && dpl_measure_map(images[LIT_SCENE], images[LIT_OTHER], !physical, maps[LIT_OTHER].map.noise, measure,
                                renderer->log);
-    for (int i = 0; i < LIT_MAPS; i++)
+    for (int i = 0; i < 2; i++)
         dpl_image_destroy(images[i]);
     return leave(renderer, 0) && ok;
 }

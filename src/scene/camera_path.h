@@ -20,6 +20,7 @@ struct scene_camera {
     double position[3], target[3];
     double field_of_view; /* degrees, vertical */
     double near_plane, far_plane;
+    double exposure; /* stops */
     bool closed; /* the path: it is back at the first key when the last key's time is there, and goes on from there */
 };
 

@@ -18,6 +18,7 @@ struct scene_look {
     size_t params_size;
     size_t state_size; /* kept between frames, starts zeroed */
     bool sand;         /* draws the floor with frame.sand */
+    bool linear;       /* draws radiance, which camera.exposure and render.tone then make a picture of */
     int margin;        /* pixels: how far what is drawn in one changes others, as a blur does; 0: not at all */
 
     /* Readies programs, and textures that draw() needs. */

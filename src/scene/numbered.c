@@ -96,11 +96,11 @@ bool scene_numbered_mark(struct dpl_scene *scene, const char *name, bool present
     return true;
 }
 
-struct dpl_section scene_numbered_section(const struct dpl_scene *scene, int index)
+struct dpl_section scene_numbered_section(const struct dpl_scene *scene, int *index)
 {
     for (const struct kind *kind = kinds; kind < kinds + KIND_COUNT; kind++)
         for (int i = 0; i < kind->count; i++)
-            if (present_of(kind, scene)[i] && index-- == 0)
+            if (present_of(kind, scene)[i] && (*index)-- == 0)
                 return section_of(kind, scene, i);
     return (struct dpl_section){0};
 }

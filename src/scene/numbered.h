@@ -16,8 +16,9 @@ struct dpl_section scene_numbered_find(const struct dpl_scene *scene, const char
 /* Notes that the section of that name is there, or that it is not; false where the name is none of theirs. */
 bool scene_numbered_mark(struct dpl_scene *scene, const char *name, bool present);
 
-/* The index-th of those that are there; NULL-named past the last. */
-struct dpl_section scene_numbered_section(const struct dpl_scene *scene, int index);
+/* The index-th of those that are there; NULL-named past the last, and then the index is less by as many as there are.
+ */
+struct dpl_section scene_numbered_section(const struct dpl_scene *scene, int *index);
 
 /* "wave.1 to wave.64, camera.1 to camera.16" */
 void scene_numbered_list(char *text, size_t size);

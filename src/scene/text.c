@@ -31,9 +31,11 @@ static void list_sections(const struct dpl_scene *scene, char *text, size_t size
     size_t used = 0;
     for (int i = 0; dpl_scene_section(scene, i).name && used < size; i++) {
         const char *name = dpl_scene_section(scene, i).name;
-        if (!scene_numbered_find(scene, name).name)
+        if (!scene_numbered_find(scene, name).name && strncmp(name, "object.", 7))
             used += (size_t)snprintf(text + used, size - used, "%s, ", name);
     }
+    if (used < size)
+        used += (size_t)snprintf(text + used, size - used, "object.NAME, ");
     if (used < size)
         scene_numbered_list(text + used, size - used);
 }
@@ -45,29 +47,65 @@ static void list_keys(const struct dpl_param *params, char *text, size_t size)
         used += (size_t)snprintf(text + used, size - used, "%s%s", used ? ", " : "", params->name);
 }
 
-/* The section of that name, one of those with numbers also where it is not there yet; NULL-named where there is none.
- */
+/* True for "object.NAME", NAME of letters, digits and `-`. */
+static bool names_object(const char *section)
+{
+    static const char accepted[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-";
+    size_t length = strlen(section);
+    return !strncmp(section, "object.", 7) && length > 7 && length < SCENE_OBJECT_NAME_SIZE &&
+           strspn(section + 7, accepted) == length - 7;
+}
+
+/* The section of that name, one of those with numbers or an object's also where it is not there yet; NULL-named where
+ * there is none. */
 static struct dpl_section find_section(const struct dpl_scene *scene, const char *name)
 {
     struct dpl_section section = scene_numbered_find(scene, name);
     for (int i = 0; !section.name; i++) {
-        struct dpl_section other = dpl_scene_section(scene, i);
-        if (!other.name || !strcmp(other.name, name))
-            return other;
+        section = dpl_scene_section(scene, i);
+        if (!section.name && names_object(name) && scene->object_count < SCENE_OBJECTS_MAX)
+            return (struct dpl_section){name, "", scene_object_params, (void *)(scene->objects + scene->object_count),
+                                        true};
+        if (!section.name)
+            return section;
+        if (strcmp(section.name, name))
+            section.name = NULL;
     }
     return section;
+}
+
+/* Says that there is no section of that name; `where` opens the message. */
+static bool fail_section(const struct dpl_scene *scene, const char *where, const char *name)
+{
+    char accepted[VALUE_SIZE];
+    if (names_object(name))
+        return base_fail(scene->log, DPL_REASON_LIMIT, "%s: too many objects: \"%s\" (accepted: at most %d)", where,
+                         name, SCENE_OBJECTS_MAX);
+    list_sections(scene, accepted, sizeof accepted);
+    return base_fail(scene->log, DPL_REASON_UNKNOWN_SECTION, "%s: no such section: \"%s\" (accepted: %s)", where, name,
+                     accepted);
+}
+
+/* A section that need not be there is there from the moment that one of its values is set. */
+static void make_present(struct dpl_scene *scene, const struct dpl_section *section)
+{
+    int next = scene->object_count;
+    scene_numbered_mark(scene, section->name, true);
+    if (next < SCENE_OBJECTS_MAX && section->values == scene->objects + next) {
+        snprintf(scene->object_names[next], sizeof scene->object_names[next], "%s", section->name);
+        scene->object_count++;
+    }
 }
 
 /* Finds the value's description. `place` opens the message: "pool.ini:12: " or "". */
 static const struct dpl_param *find_value(const struct dpl_scene *scene, const char *place, const char *section_name,
                                           const char *key, struct dpl_section *section)
 {
-    char accepted[VALUE_SIZE];
+    char accepted[VALUE_SIZE], where[PLACE_SIZE];
     *section = find_section(scene, section_name);
     if (!section->name) {
-        list_sections(scene, accepted, sizeof accepted);
-        base_fail(scene->log, DPL_REASON_UNKNOWN_SECTION, "%s%s.%s: no such section: \"%s\" (accepted: %s)", place,
-                  section_name, key, section_name, accepted);
+        snprintf(where, sizeof where, "%.420s%.60s.%.30s", place, section_name, key);
+        fail_section(scene, where, section_name);
         return NULL;
     }
     const struct dpl_param *param = param_find(section->params, key);
@@ -88,7 +126,7 @@ static bool assign(struct dpl_scene *scene, const char *place, const char *secti
     snprintf(where, sizeof where, "%.420s%.60s.%.30s", place, section_name, key);
     if (!param || !param_parse(param, section.values, value, where, scene->log))
         return false;
-    scene_numbered_mark(scene, section_name, true);
+    make_present(scene, &section);
     return true;
 }
 
@@ -155,7 +193,7 @@ static const char *text_end(const char *start, const char *stop)
 /* The parser itself says nothing of a section without keys, nor of what follows its bracket. */
 static void check_section(struct reading *reading, const char *line)
 {
-    char name[LINE_SIZE], accepted[VALUE_SIZE];
+    char name[LINE_SIZE], where[PLACE_SIZE];
     size_t length = strcspn(line, "]");
     if (!line[length] || line[length + 1 + strspn(line + length + 1, " \t\r\n")]) {
         fail_line(reading, MALFORMED);
@@ -164,9 +202,8 @@ static void check_section(struct reading *reading, const char *line)
     snprintf(name, sizeof name, "%.*s", (int)length, line);
     if (find_section(reading->scene, name).name)
         return;
-    list_sections(reading->scene, accepted, sizeof accepted);
-    base_fail(reading->scene->log, DPL_REASON_UNKNOWN_SECTION, "%s:%d: no such section: \"%s\" (accepted: %s)",
-              reading->name, reading->line, name, accepted);
+    snprintf(where, sizeof where, "%.400s:%d", reading->name, reading->line);
+    fail_section(reading->scene, where, name);
     reading->failed = true;
 }
 

@@ -21,6 +21,9 @@ struct world_vertex {
 
 enum world_pattern { WORLD_PLAIN, WORLD_TILES, WORLD_PLANKS, WORLD_BLOCKS, WORLD_PATTERNS };
 
+/* The i-th pattern's name, NULL past the last: the choices of `object.NAME.pattern`. */
+const char *world_pattern_name(int i);
+
 /* Triangles of one material. */
 struct world_part {
     int first, count;    /* in `indices` */

@@ -1,0 +1,14 @@
+#include "scene/shape.h"
+
+#include <stddef.h>
+
+extern const struct scene_shape shape_box, shape_pole, shape_sphere, shape_rock, shape_pebbles, shape_seaweed;
+
+const struct scene_shape *const scene_shapes[] = {&shape_box,     &shape_pole,    &shape_sphere, &shape_rock,
+                                                  &shape_pebbles, &shape_seaweed, NULL};
+
+const char *scene_shape_name(int i)
+{
+    const int count = sizeof scene_shapes / sizeof *scene_shapes - 1;
+    return i >= 0 && i < count ? scene_shapes[i]->name : NULL;
+}
