@@ -6,14 +6,11 @@
 #include "io/mesh_parts.h"
 
 #include <assimp/cimport.h>
-#include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include <stdlib.h>
 #include <string.h>
-
-#define SMOOTH_ANGLE 60 /* degrees between faces whose common normals are made smooth */
 
 static void tell_unread(const struct mesh_files *files)
 {
@@ -28,10 +25,7 @@ static void tell_unread(const struct mesh_files *files)
 
 static const struct aiScene *import(struct mesh_files *files)
 {
-    struct aiPropertyStore *settings = aiCreatePropertyStore();
-    aiSetImportPropertyFloat(settings, AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, SMOOTH_ANGLE);
-    const struct aiScene *scene = aiImportFileExWithProperties(files->name, 0, &files->io, settings);
-    aiReleasePropertyStore(settings);
+    const struct aiScene *scene = aiImportFileEx(files->name, 0, &files->io);
     if (scene && files->missing[0] != '\0')
         base_inform(files->log, "%s: is read without \"%s\", which is not in its folder", files->path, files->missing);
     if (!scene && !files->failed)
@@ -39,11 +33,10 @@ static const struct aiScene *import(struct mesh_files *files)
     return scene;
 }
 
-/* Turns what was read into triangles with normals; returns the scene, changed, or NULL: then there is no scene left. */
+/* Turns what was read into triangles; returns the scene, changed, or NULL: then there is no scene left. */
 static const struct aiScene *finish_faces(const struct mesh_files *files, const struct aiScene *scene)
 {
-    const unsigned steps = aiProcess_Triangulate | aiProcess_GenSmoothNormals | aiProcess_JoinIdenticalVertices;
-    scene = aiApplyPostProcessing(scene, steps);
+    scene = aiApplyPostProcessing(scene, aiProcess_Triangulate | aiProcess_JoinIdenticalVertices);
     if (!scene)
         base_fail(files->log, DPL_REASON_FILE_FORMAT, "%s: its faces cannot be made triangles: %s", files->path,
                   aiGetErrorString());

@@ -27,4 +27,10 @@ bool mesh_parts_are_sound(const struct aiScene *scene, const char *path, const s
 /* Fills the mesh, which is empty, with all triangles of a scene made of triangles. On failure it may be half filled. */
 bool mesh_parts_collect(const struct aiScene *scene, const char *path, struct io_mesh *mesh, const struct dpl_log *log);
 
+/* Gives the triangles from first_index to the last, whose corners are the vertices from first_vertex to *vertices one
+ * after the other, their normals, smooth where faces meet at 60° or less; makes those corners that are the same one
+ * vertex, and *vertices how many there are then. */
+bool mesh_make_normals(struct io_mesh *mesh, int first_vertex, int first_index, int *vertices,
+                       const struct dpl_log *log);
+
 #endif
