@@ -6,7 +6,6 @@
 #include "io/mesh_parts.h"
 
 #include <assimp/cimport.h>
-#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include <stdlib.h>
@@ -33,25 +32,12 @@ static const struct aiScene *import(struct mesh_files *files)
     return scene;
 }
 
-/* Turns what was read into triangles; returns the scene, changed, or NULL: then there is no scene left. */
-static const struct aiScene *finish_faces(const struct mesh_files *files, const struct aiScene *scene)
-{
-    scene = aiApplyPostProcessing(scene, aiProcess_Triangulate | aiProcess_JoinIdenticalVertices);
-    if (!scene)
-        base_fail(files->log, DPL_REASON_FILE_FORMAT, "%s: its faces cannot be made triangles: %s", files->path,
-                  aiGetErrorString());
-    return scene;
-}
-
 static bool read_bytes(struct mesh_files *files, struct io_mesh *mesh)
 {
     mesh_files_open(files);
     const struct aiScene *scene = import(files);
-    bool ok = scene && !files->failed && mesh_parts_are_sound(scene, files->path, files->log);
-    if (ok) {
-        scene = finish_faces(files, scene);
-        ok = scene && mesh_parts_collect(scene, files->path, mesh, files->log);
-    }
+    bool ok = scene && !files->failed && mesh_parts_are_sound(scene, files->path, files->log) &&
+              mesh_parts_collect(scene, files->path, mesh, files->log);
     if (scene)
         aiReleaseImport(scene);
     return ok;

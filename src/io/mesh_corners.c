@@ -1,5 +1,5 @@
-/* Normals of triangles that have none: each corner's is the mean of those of the triangles that meet there at not too
- * sharp an angle, each weighted by its angle at the corner (Thürmer & Wüthrich 1998). */
+/* Corners of triangles become vertices, and get normals where they have none: the mean of those of the triangles that
+ * meet there at not too sharp an angle, each weighted by its angle at the corner (Thürmer & Wüthrich 1998). */
 #include "io/mesh_parts.h"
 
 #include "base/hash.h"
@@ -140,23 +140,23 @@ static bool make_room(struct corners *corners, const struct dpl_log *log)
     size_t count = (size_t)corners->count;
     while (corners->mask < (unsigned)corners->count)
         corners->mask = 2 * corners->mask + 1;
-    corners->heads = base_allocate(log, (size_t)corners->mask + 1, sizeof *corners->heads, "normals");
-    corners->next = corners->heads ? base_allocate(log, count, sizeof *corners->next, "normals") : NULL;
-    corners->faces = corners->next ? base_allocate(log, count / 3, sizeof *corners->faces, "normals") : NULL;
-    corners->target = corners->faces ? base_allocate(log, count, sizeof *corners->target, "normals") : NULL;
+    corners->heads = base_allocate(log, (size_t)corners->mask + 1, sizeof *corners->heads, "corners");
+    corners->next = corners->heads ? base_allocate(log, count, sizeof *corners->next, "corners") : NULL;
+    corners->faces = corners->next ? base_allocate(log, count / 3, sizeof *corners->faces, "corners") : NULL;
+    corners->target = corners->faces ? base_allocate(log, count, sizeof *corners->target, "corners") : NULL;
     return corners->target;
 }
 
-bool mesh_make_normals(struct io_mesh *mesh, int first_vertex, int first_index, int *vertices,
-                       const struct dpl_log *log)
+bool mesh_merge_corners(struct io_mesh *mesh, int first_vertex, int first_index, bool normals, int *vertices,
+                        const struct dpl_log *log)
 {
     struct corners corners = {.mesh = mesh, .first = first_vertex, .count = *vertices - first_vertex};
     bool ok = make_room(&corners, log);
     if (ok) {
         link_corners(&corners);
-        for (int t = 0; t < corners.count / 3; t++)
+        for (int t = 0; t < corners.count / 3 && !normals; t++)
             measure_face(&corners, t);
-        for (int i = 0; i < corners.count; i++)
+        for (int i = 0; i < corners.count && !normals; i++)
             make_normal(&corners, i, mesh->normals[first_vertex + i]);
         *vertices = merge(&corners, mesh, first_index);
     }
