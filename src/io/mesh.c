@@ -6,14 +6,10 @@
 #include "io/mesh_parts.h"
 
 #include <assimp/cimport.h>
-#include <assimp/config.h>
-#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include <stdlib.h>
 #include <string.h>
-
-#define SMOOTH_ANGLE 60 /* degrees between faces whose common normals are made smooth */
 
 static void tell_unread(const struct mesh_files *files)
 {
@@ -28,10 +24,7 @@ static void tell_unread(const struct mesh_files *files)
 
 static const struct aiScene *import(struct mesh_files *files)
 {
-    struct aiPropertyStore *settings = aiCreatePropertyStore();
-    aiSetImportPropertyFloat(settings, AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, SMOOTH_ANGLE);
-    const struct aiScene *scene = aiImportFileExWithProperties(files->name, 0, &files->io, settings);
-    aiReleasePropertyStore(settings);
+    const struct aiScene *scene = aiImportFileEx(files->name, 0, &files->io);
     if (scene && files->missing[0] != '\0')
         base_inform(files->log, "%s: is read without \"%s\", which is not in its folder", files->path, files->missing);
     if (!scene && !files->failed)
@@ -39,26 +32,12 @@ static const struct aiScene *import(struct mesh_files *files)
     return scene;
 }
 
-/* Turns what was read into triangles with normals; returns the scene, changed, or NULL: then there is no scene left. */
-static const struct aiScene *finish_faces(const struct mesh_files *files, const struct aiScene *scene)
-{
-    const unsigned steps = aiProcess_Triangulate | aiProcess_GenSmoothNormals | aiProcess_JoinIdenticalVertices;
-    scene = aiApplyPostProcessing(scene, steps);
-    if (!scene)
-        base_fail(files->log, DPL_REASON_FILE_FORMAT, "%s: its faces cannot be made triangles: %s", files->path,
-                  aiGetErrorString());
-    return scene;
-}
-
 static bool read_bytes(struct mesh_files *files, struct io_mesh *mesh)
 {
     mesh_files_open(files);
     const struct aiScene *scene = import(files);
-    bool ok = scene && !files->failed && mesh_parts_are_sound(scene, files->path, files->log);
-    if (ok) {
-        scene = finish_faces(files, scene);
-        ok = scene && mesh_parts_collect(scene, files->path, mesh, files->log);
-    }
+    bool ok = scene && !files->failed && mesh_parts_are_sound(scene, files->path, files->log) &&
+              mesh_parts_collect(scene, files->path, mesh, files->log);
     if (scene)
         aiReleaseImport(scene);
     return ok;

@@ -9,8 +9,6 @@
 #include <math.h>
 #include <string.h>
 
-#define CORNERS_MAX 1000 /* of a face: cutting it into triangles takes the square of that */
-
 static bool positions_are_sound(const struct aiMesh *mesh, const char *path, const struct dpl_log *log)
 {
     for (unsigned i = 0; i < mesh->mNumVertices; i++) {
@@ -27,9 +25,6 @@ static bool faces_are_sound(const struct aiMesh *mesh, const char *path, const s
 {
     for (unsigned i = 0; i < mesh->mNumFaces; i++) {
         const struct aiFace *face = &mesh->mFaces[i];
-        if (face->mNumIndices > CORNERS_MAX)
-            return base_fail(log, DPL_REASON_LIMIT, "%s: face %u: %u corners (at most %d)", path, i, face->mNumIndices,
-                             CORNERS_MAX);
         for (unsigned k = 0; k < face->mNumIndices; k++)
             if (face->mIndices[k] >= mesh->mNumVertices)
                 return base_fail(log, DPL_REASON_FILE_FORMAT, "%s: face %u: vertex %u (accepted: below %u)", path, i,

@@ -21,10 +21,21 @@ bool mesh_gltf_is_sound(const char *bytes, size_t length, const char *path, cons
 bool mesh_glb_is_sound(const char *bytes, size_t length, const char *path, const struct dpl_log *log);
 bool mesh_ply_is_sound(const char *bytes, size_t length, const char *path, const struct dpl_log *log);
 
-/* True where numbers that point to others are in range and coordinates are finite, so that assimp may work on it. */
+/* True where numbers that point to others are in range, coordinates are finite, and there are triangles, not too many.
+ */
 bool mesh_parts_are_sound(const struct aiScene *scene, const char *path, const struct dpl_log *log);
 
-/* Fills the mesh, which is empty, with all triangles of a scene made of triangles. On failure it may be half filled. */
+/* Fills the mesh, which is empty, with all triangles of a scene that is sound. On failure it may be half filled. */
 bool mesh_parts_collect(const struct aiScene *scene, const char *path, struct io_mesh *mesh, const struct dpl_log *log);
+
+/* Cuts a face of `count` corners, 3 at least, into count - 2 triangles of corners' numbers, which go round as it does.
+ * A face of more than 64 corners is taken for convex. */
+void mesh_cut_polygon(const float (*corners)[3], int count, int (*triangles)[3]);
+
+/* The triangles from first_index to the last have as corners the vertices from first_vertex to *vertices, one after the
+ * other. Gives these normals where they have none (`normals` is false), smooth where faces meet at 60° or less; makes
+ * those that are the same one vertex, and *vertices how many there are then. */
+bool mesh_merge_corners(struct io_mesh *mesh, int first_vertex, int first_index, bool normals, int *vertices,
+                        const struct dpl_log *log);
 
 #endif

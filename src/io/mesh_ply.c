@@ -1,4 +1,5 @@
-/* Whether a PLY is as long as its header says: assimp asks for memory by the header, and goes on where bytes end. */
+/* Whether a PLY is as long as its header says: assimp asks for memory by the header, and goes on where bytes end. A
+ * zero byte, which follows the last, ends text. */
 #include "io/mesh_parts.h"
 
 #include "base/log.h"
@@ -75,7 +76,7 @@ static uint64_t list_length(const struct ply *ply, int size)
     return value;
 }
 
-static bool skip_value(struct ply *ply, int size, int length_size)
+static bool skip_bytes(struct ply *ply, int size, int length_size)
 {
     uint64_t bytes = (uint64_t)size, left = (uint64_t)(ply->end - ply->at);
     if (length_size > 0) {
@@ -89,22 +90,34 @@ static bool skip_value(struct ply *ply, int size, int length_size)
     return true;
 }
 
-/* Goes over the elements: bytes, or as text a line each. */
+static bool skip_word(struct ply *ply)
+{
+    ply->at += strspn(ply->at, " \t\r\n");
+    const char *first = ply->at;
+    ply->at += strcspn(ply->at, " \t\r\n");
+    return ply->at > first;
+}
+
+static bool skip_words(struct ply *ply, bool list)
+{
+    const char *number = ply->at;
+    if (!skip_word(ply))
+        return false;
+    for (long left = list ? strtol(number, NULL, 10) : 0; left > 0; left--)
+        if (!skip_word(ply))
+            return false;
+    return true;
+}
+
 static bool skip_elements(struct ply *ply, const struct element *element)
 {
     if (element->count > ply->end - ply->at || (element->count > 0 && element->properties == 0))
         return false;
-    for (long long i = 0; i < element->count; i++) {
-        if (ply->text) {
-            const char *stop = memchr(ply->at, '\n', (size_t)(ply->end - ply->at));
-            if (ply->at == ply->end)
+    for (long long i = 0; i < element->count; i++)
+        for (int k = 0; k < element->properties; k++)
+            if (!(ply->text ? skip_words(ply, element->times[k] > 0)
+                            : skip_bytes(ply, element->size[k], element->times[k])))
                 return false;
-            ply->at = stop ? stop + 1 : ply->end;
-        }
-        for (int k = 0; k < element->properties && !ply->text; k++)
-            if (!skip_value(ply, element->size[k], element->times[k]))
-                return false;
-    }
     return true;
 }
 

@@ -12,6 +12,7 @@
 #define BOTTOM 4       /* strakes that are painted in the second colour */
 #define LAP 0.008      /* of the breadth: how far a strake stands out where it laps */
 #define THICKNESS 0.02 /* of the breadth */
+#define TIMBER 0.028   /* of the breadth: radius of keel, stem and edges */
 #define FLOOR 0.16     /* of the height */
 #define THWARTS 3
 
@@ -100,9 +101,9 @@ static void add_transom(struct world_builder *builder, const struct scene_object
 }
 
 /* Keel and stem, from the stern along the bottom to the top of the bow; then the edges, along both sides. */
-static void add_timbers(struct world_builder *builder, const struct scene_object *object)
+static void add_timbers(struct world_builder *builder, const struct scene_object *object, double thick)
 {
-    double line[COLUMNS + 24][3], thick = 0.028 * object->size[2];
+    double line[COLUMNS + 24][3];
     int points = 0;
     for (int i = 0; i < COLUMNS; i++)
         hull_point(object->size, (double)i / (COLUMNS - 1), 0, line[points++]);
@@ -114,12 +115,12 @@ static void add_timbers(struct world_builder *builder, const struct scene_object
             hull_point(object->size, (double)i / (COLUMNS - 1), 1, line[i]);
             line[i][2] *= side;
         }
-        piece_tube(builder, (const double(*)[3])line, COLUMNS, 0.9 * thick, 10, trim_color);
+        piece_tube(builder, (const double(*)[3])line, COLUMNS, thick, 10, trim_color);
     }
     hull_point(object->size, 0, 1, line[0]);
     for (int c = 0; c < 3; c++)
         line[1][c] = c == 2 ? -line[0][c] : line[0][c];
-    piece_tube(builder, (const double(*)[3])line, 2, 0.9 * thick, 10, trim_color);
+    piece_tube(builder, (const double(*)[3])line, 2, thick, 10, trim_color);
 }
 
 /* Boards along the bottom, as wide as the hull is there. */
@@ -157,20 +158,27 @@ static void add_thwarts(struct world_builder *builder, const struct scene_object
     }
 }
 
-static bool build(struct world_builder *builder, const struct scene_object *object, int seed)
+static bool build(struct world_builder *builder, const struct scene_object *given, int seed)
 {
     (void)seed; /* all boats are alike */
+    const double timber = TIMBER * given->size[2], base[3] = {0, timber, 0};
+    struct scene_object without = *given; /* what the timbers leave of its size */
+    const struct scene_object *object = &without;
+    int first = builder->vertex_count;
+    for (int c = 0; c < 3; c++)
+        without.size[c] = fmax(given->size[c] - 2 * timber, 0.5 * given->size[c]);
     add_side(builder, object, 1);
     add_side(builder, object, -1);
     add_transom(builder, object, 0);
     add_transom(builder, object, THICKNESS * object->size[2]);
-    add_timbers(builder, object);
+    add_timbers(builder, object, timber);
     add_thwarts(builder, object);
     struct world_part boards = piece_material(object, WORLD_PLANKS);
     for (int c = 0; c < 3 && object->pattern == WORLD_PLAIN; c++)
         boards.joint[c] = 0.3 * wood_color[c];
     builder_part(builder, &boards);
     add_floor(builder, object);
+    builder_place(builder, first, 0, 0, base);
     return builder_ok(builder);
 }
 

@@ -77,7 +77,7 @@ static struct dpl_section find_section(const struct dpl_scene *scene, const char
 /* Says that there is no section of that name; `where` opens the message. */
 static bool fail_section(const struct dpl_scene *scene, const char *where, const char *name)
 {
-    char accepted[VALUE_SIZE];
+    char accepted[2 * VALUE_SIZE];
     if (names_object(name))
         return base_fail(scene->log, DPL_REASON_LIMIT, "%s: too many objects: \"%s\" (accepted: at most %d)", where,
                          name, SCENE_OBJECTS_MAX);
