@@ -10,7 +10,7 @@
 #define MAP 32  /* texels */
 
 struct picture {
-    float pixels[SIDE * SIDE * 3]; /* the first row is the lowest */
+    float pixels[SIDE * SIDE * 4]; /* the first row is the lowest */
 };
 
 /* From `eye` along an axis, with `half` the tangent of half the field of view. */
@@ -40,8 +40,8 @@ static double mean(const struct picture *picture, int color)
 {
     double sum = 0;
     for (int i = 0; i < SIDE * SIDE; i++) {
-        assert_true(isfinite(picture->pixels[3 * i + color]) && picture->pixels[3 * i + color] >= 0);
-        sum += (double)picture->pixels[3 * i + color] / (SIDE * SIDE);
+        assert_true(isfinite(picture->pixels[4 * i + color]) && picture->pixels[4 * i + color] >= 0);
+        sum += (double)picture->pixels[4 * i + color] / (SIDE * SIDE);
     }
     return sum;
 }
@@ -110,9 +110,9 @@ static void sky_through_snells_window(void **state)
         double air = sqrt(fmax(1 - pow(1.333 * away / sqrt(1 + away * away), 2), 0));
         double wanted = (1 - optics_fresnel_reflectance(air, 1.333)) * 1.333 * 1.333;
         if (away > edge + pixel)
-            assert_true(picture.pixels[3 * i] == 0);
+            assert_true(picture.pixels[4 * i] == 0);
         else if (away < edge - 2 * pixel)
-            expect((double)picture.pixels[3 * i], wanted, 0.2);
+            expect((double)picture.pixels[4 * i], wanted, 0.2);
     }
 }
 
@@ -152,7 +152,7 @@ static void caustics_are_those_that_were_counted(void **state)
 {
     struct place *place = *state;
     struct wave wave = {{4, 2}, 0.05, 0, 0, 0};
-    struct optics_sun sun = {60, 30, 0.2665};
+    struct optics_sun sun = {.elevation = 60, .azimuth = 30, .angular_radius = 0.2665};
     struct water_medium medium = {.ior = 1.333, .absorption = {0.35, 0.07, 0.03}};
     struct water_setup setup_ = {.size = 4, .depth = 1, .waves = &wave, .wave_count = 1};
     const double receiver = -1;
