@@ -50,8 +50,8 @@ static void sky_through_flat_water(void **state)
     expect(bake(place, 0.3, -1, 0.2, 1, 4096), M_PI * enters, 0.02);
     /* The floor's own light that the surface throws back: the sum over bounces is more. */
     place->floor[0] = place->floor[1] = place->floor[2] = 0.8;
-    double back = 1 - enters / (1.333 * 1.333), kept = 0.8 * back; /* share of diffuse light kept below */
-    double most = M_PI * enters * (1 + kept + kept * kept + pow(kept, 3));        /* as many bounces as are followed */
+    double back = 1 - enters / (1.333 * 1.333), kept = 0.8 * back;         /* share of diffuse light kept below */
+    double most = M_PI * enters * (1 + kept + kept * kept + pow(kept, 3)); /* as many bounces as are followed */
     expect(bake(place, 0.3, -1, 0.2, 1, 16384), most, 0.03);
 }
 

@@ -74,7 +74,7 @@ static inline int setup(void **state)
                    .user = place},
         .water = {.ior = {1.333, 1.333, 1.333}},
         .sky = &place->sky,
-        .sun = optics_sun_disc(&(struct optics_sun){60, 30, 0.2665}),
+        .sun = optics_sun_disc(&(struct optics_sun){.elevation = 60, .azimuth = 30, .angular_radius = 0.2665}),
     };
     for (int c = 0; c < 3; c++)
         place->floor[c] = place->solids[c] = 0.5;

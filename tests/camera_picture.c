@@ -141,7 +141,8 @@ static void shafts_of_still_water(void **state)
     double phase = (1 - g * g) / (4 * M_PI * pow(1 + g * g - 2 * g * along, 1.5));
     for (int c = 0; c < 3; c++) {
         double extinction = optics->absorption[c] + optics->scattering[c];
-        double beam = 5 * (1 - optics_fresnel_reflectance(sine, 1.333)) * sine / inside * exp(-extinction * 1.5 / inside);
+        double beam =
+            5 * (1 - optics_fresnel_reflectance(sine, 1.333)) * sine / inside * exp(-extinction * 1.5 / inside);
         expect(mean(&picture, c), beam * optics->scattering[c] * phase / extinction, 0.02);
     }
 }
@@ -155,8 +156,13 @@ static void caustics_are_those_that_were_counted(void **state)
     struct water_medium medium = {.ior = 1.333, .absorption = {0.35, 0.07, 0.03}};
     struct water_setup setup_ = {.size = 4, .depth = 1, .waves = &wave, .wave_count = 1};
     const double receiver = -1;
-    struct photons_task task = {.model = water_models[0], .setup = &setup_, .sun = &sun, .medium = &medium,
-                                .receivers = &receiver, .receiver_count = 1, .side = MAP};
+    struct photons_task task = {.model = water_models[0],
+                                .setup = &setup_,
+                                .sun = &sun,
+                                .medium = &medium,
+                                .receivers = &receiver,
+                                .receiver_count = 1,
+                                .side = MAP};
     static float map[MAP * MAP * 3];
     struct photons counted = {.passes = 0};
     assert_true(photons_begin(&counted, &task, NULL));
@@ -205,7 +211,8 @@ static void threads_do_not_show(void **state)
     struct surface *surface = at_rest(place);
     const struct camera_sight view = look((const double[3]){0, -0.5, 3}, 2, -1, 0.7);
     shine(place, 1, 5);
-    place->world.water = (struct camera_water){true, surface, {1.33, 1.333, 1.336}, {{0.3, 0.1, 0.1}, {0.1, 0.1, 0.2}, 0.8}};
+    place->world.water =
+        (struct camera_water){true, surface, {1.33, 1.333, 1.336}, {{0.3, 0.1, 0.1}, {0.1, 0.1, 0.2}, 0.8}};
     put_box(place, (const double[3]){-1, -0.5, -1}, (const double[3]){1, 0.5, 1}, false);
     omp_set_num_threads(1);
     draw(place, &view, &usual, 2, &first);

@@ -20,7 +20,7 @@ struct camera {
     struct camera_photons photons;
     struct camera_sight view;
     struct camera_settings settings;
-    int passes; /* done */
+    int passes;   /* done */
     double *sums; /* height × width × 3 */
 };
 

@@ -9,10 +9,10 @@
 #include <stdlib.h>
 
 #define SIDE CAMERA_AIM_SIDE
-#define PILOTS 128   /* paths from the eye, across and down the picture */
-#define MEETINGS 6   /* that they have */
-#define COPIES 4     /* of each way back: waves spread them */
-#define SPREAD 0.25  /* m for each metre between water and place */
+#define PILOTS 128      /* paths from the eye, across and down the picture */
+#define MEETINGS 6      /* that they have */
+#define COPIES 4        /* of each way back: waves spread them */
+#define SPREAD 0.25     /* m for each metre between water and place */
 #define EVERYWHERE 0.15 /* share of the photons that goes evenly to all of the square */
 #define LEFT_OUT 0.005  /* share of the ways back at either end along x and z that the square leaves out */
 #define LEAST 0.01      /* throughput below which a place is hardly seen */

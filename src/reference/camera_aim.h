@@ -23,7 +23,8 @@ bool camera_aim_make(struct camera_aim *aim, const struct camera_scene *scene, c
 /* A place of the water for two numbers from 0 to 1; returns its density, 1/m². */
 double camera_aim_place(const struct camera_aim *aim, double u, double v, double place[2]);
 
-/* True where the sun's light, had the water been flat, would have come to a place over water that photons are sent to. */
+/* True where the sun's light, had the water been flat, would have come to a place over water that photons are sent to.
+ */
 bool camera_aim_covers(const struct camera_aim *aim, const struct camera_scene *scene, const double place[3], bool wet);
 
 #endif

@@ -22,7 +22,8 @@ static struct photon photon_of(const double place[3], const double vector[3], co
 }
 
 /* Where the sun shines on the water from above: false where it does not. */
-static bool start_on_top(struct camera_flight *flight, const double to_sun[3], double u, double v, struct camera_hit *hit)
+static bool start_on_top(struct camera_flight *flight, const double to_sun[3], double u, double v,
+                         struct camera_hit *hit)
 {
     static const double down[3] = {0, -1, 0};
     const struct camera_scene *scene = flight->scene;
@@ -40,7 +41,8 @@ static bool start_on_top(struct camera_flight *flight, const double to_sun[3], d
 }
 
 /* Where the sun shines on the sides of a block of water. */
-static bool start_on_side(struct camera_flight *flight, const double to_sun[3], double u, double v, struct camera_hit *hit)
+static bool start_on_side(struct camera_flight *flight, const double to_sun[3], double u, double v,
+                          struct camera_hit *hit)
 {
     const struct camera_world *world = &flight->scene->world;
     double share = fabs(to_sun[0]) / (fabs(to_sun[0]) + fabs(to_sun[2])), half = world->size / 2;

@@ -16,7 +16,7 @@ struct camera_path {
     const struct camera_photons *photons; /* NULL: the water is at rest */
     int bounces;                          /* most reflections by solids and scatterings in water */
     bool sun_seen;                        /* the sun's disc itself counts, where only water or nothing lies between */
-    double spread; /* m of width that a pixel gains on a way of 1 m: light is gathered over that */
+    double spread;                     /* m of width that a pixel gains on a way of 1 m: light is gathered over that */
     double solid_radius, water_radius; /* m: but over no less than this, on solids and in the water */
 };
 

@@ -8,9 +8,9 @@
 #include <string.h>
 
 #define PHOTON 0x70686f746f6eu /* start of the photons' random numbers, not that of a pixel's */
-#define BLOCK 4096       /* photons that a thread sends together */
-#define FLATNESS 0.25    /* of the radius: how far off the plane of a surface photons still lie on it */
-#define SAME_SIDE 0.5    /* cosine between normals of what may be one surface */
+#define BLOCK 4096             /* photons that a thread sends together */
+#define FLATNESS 0.25          /* of the radius: how far off the plane of a surface photons still lie on it */
+#define SAME_SIDE 0.5          /* cosine between normals of what may be one surface */
 
 bool camera_photons_begin(struct camera_photons *photons, const struct camera_scene *scene,
                           const struct camera_sight *view, int count, const struct dpl_log *log)
@@ -40,7 +40,6 @@ void camera_photons_finish(struct camera_photons *photons)
     free(photons->blocks);
     *photons = (struct camera_photons){0};
 }
-
 
 /* Sends the photons of a block, and leaves what has come of them at the start of its part of the arrays. */
 static void send_block(struct camera_photons *photons, int block, uint64_t pass)

@@ -39,7 +39,8 @@ static inline double vector3_most(const double a[3])
     return fmax(fmax(a[0], a[1]), a[2]);
 }
 
-/* Mirrors a direction in the plane across a unit vector, where it does not go that way (`side` 1) or against it (-1). */
+/* Mirrors a direction in the plane across a unit vector, where it does not go that way (`side` 1) or against it (-1).
+ */
 static inline void vector3_keep_side(const double across[3], double side, double direction[3])
 {
     double along = vector3_dot(direction, across);
