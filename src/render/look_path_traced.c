@@ -110,7 +110,7 @@ static bool make_water(struct state *state, const struct frame *frame)
                         frame->gl->log))
         return false;
     water_fill(model, frame->setup, frame->time, &state->water);
-    state->traced.world.water.surface = &state->water;
+    state->traced.camera.water.surface = &state->water;
     return true;
 }
 
@@ -135,9 +135,10 @@ static bool begin(struct state *state, const struct frame *frame)
     state->radiance =
         base_allocate(log, (size_t)sight.width * (size_t)sight.height * 4, sizeof *state->radiance, "picture");
     return state->radiance &&
-           traced_world_make(&state->traced, frame->scene, &state->solids, &state->sky, frame->time, log) &&
+           traced_world_make(&state->traced, frame->scene, &state->solids, &state->sky, NULL,
+                             frame->above->periodic, frame->time, log) &&
            read_sand(&state->traced, frame) && make_water(state, frame) &&
-           camera_begin(&state->camera, &state->traced.world, &sight, &settings, log);
+           camera_begin(&state->camera, &state->traced.camera, &sight, &settings, log);
 }
 
 static bool prepare(void *state_, const struct frame *frame)

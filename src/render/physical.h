@@ -58,7 +58,7 @@ struct physical_light {
 };
 
 struct quality {
-    int shadow_side, shadow_taps, shaft_steps, shaft_share, mirror_share; /* share: of the picture's side, 1 / share */
+    int shadow_side, shadow_taps, shaft_steps, shaft_share, mirror_share, ambient_rays; /* share: of the picture's side, 1 / share */
 };
 
 struct shadow {
@@ -91,7 +91,13 @@ struct physical {
     uint64_t sky_fingerprint; /* of what is in the texture */
     struct gpu_texture sky_texels;
     struct world world;
-    uint64_t ambient_fingerprint;
+    struct ambient_key {
+        uint64_t world, sky; /* fingerprints */
+        struct water_medium medium;
+        struct scene_settings settings;
+        struct scene_floor floor;
+        int rays;
+    } ambient; /* what the light from all around was last traced for */
     struct waves waves;
     struct rings rings;
     struct shadow shadow;

@@ -21,7 +21,7 @@ void main()
 #else
 #include "optics/refraction.glsl"
 #include "render/sky.glsl"
-#include "render/volume.glsl"
+#include "render/shadow.glsl"
 #include "render/shafts_read.glsl"
 uniform sampler2D direct_depth, through_color, through_depth, mirror_color, mirror_depth;
 uniform vec2 picture;         /* pixels */
@@ -101,7 +101,10 @@ vec3 from_above(vec3 to_eye, vec3 normal, vec3 slope)
     vec3 thrown = mirrored.rgb + (1.0 - mirrored.a) * sky_radiance(back, 2.0 * roughness);
     vec4 below = layer_color(through_color, through_depth, LAYER_THROUGH, into, way);
     vec3 let = below.a > 0.0 ? below.rgb * exp(-extinction * way) + volume_glow(position, into, way) : open_water(into);
-    return share * thrown + (1.0 - share) / (ior * ior) * let + (1.0 - mirrored.a) * glint(to_eye, slope.xy, slope.z);
+    vec3 sparkle = glint(to_eye, slope.xy, slope.z);
+    if (max(max(sparkle.r, sparkle.g), sparkle.b) > 1e-4)
+        sparkle *= shadow_light(position, vec3(0.0), to_sun);
+    return share * thrown + (1.0 - share) / (ior * ior) * let + sparkle;
 }
 
 vec3 from_below(vec3 to_eye, vec3 normal, vec3 slope)

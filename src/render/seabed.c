@@ -56,9 +56,8 @@ void seabed_draw(const struct physical *physical, const struct frame *frame, enu
     program_float(gl, program, "pattern_size", scene->floor.pattern_size);
     program_vec3(gl, program, "pattern_joint", scene->floor.joint);
     program_vec3(gl, program, "floor_color", scene->floor.color);
-    program_float(gl, program, "seabed_extent", scene->floor.extent / 2);
     rings_draw(&physical->rings, frame, program, height, fmin(frame->camera->far_plane, 1000) * FARTHEST,
-               scene->floor.extent / 2);
+               waves_extent(frame));
 }
 
 void seabed_finish(struct seabed *seabed, struct dpl_gl *gl)

@@ -24,7 +24,6 @@ void main()
 uniform sampler2D sand;
 uniform sampler2D floor_ambient; /* irradiance from all around */
 uniform vec3 ambient_square;     /* m: the least x and z, and the side, that it covers */
-uniform float seabed_extent;     /* m, half a side; 0: it has no end */
 uniform int pattern;            /* scene/pattern.glsl; plain: sand */
 uniform float pattern_size;
 uniform vec3 pattern_joint, floor_color;
@@ -44,9 +43,7 @@ void main()
     vec3 ambient = texture(floor_ambient, (position.xz - ambient_square.xy) / ambient_square.z).rgb;
     bool wet = waves_wet(position);
     vec3 radiance = receiver_radiance(position, normal, reflectance, ambient, wet);
-    if (seabed_extent > 0.0 && max(abs(position.x), abs(position.z)) > seabed_extent)
-        discard;
-    if (wet != (layer_wet > 0.0))
+    if (!waves_cover(position.xz) || wet != (layer_wet > 0.0))
         discard;
     color = vec4(radiance, 1.0);
 }

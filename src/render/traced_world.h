@@ -1,4 +1,4 @@
-/* render/traced_world.h: the scene as the plain things that reference/ traces rays through. */
+/* render/traced_world.h: the scene as those who trace rays through it see it (reference/camera_world.h). */
 #ifndef RENDER_TRACED_WORLD_H
 #define RENDER_TRACED_WORLD_H
 
@@ -6,22 +6,25 @@
 #include "scene/scene.h"
 #include "scene/world.h"
 
-/* All zero: none. */
+/* All zero: none yet. What it points to stays the caller's. */
 struct traced_world {
-    struct camera_world world;
-    const struct world *solids;
+    struct camera_world camera;
     const struct dpl_scene *scene;
-    float *positions, *normals; /* of the vertices, where the water has carried them */
-    bool *casts;                /* of the triangles */
-    int *parts;                 /* which of the world's parts a triangle is of */
+    const struct world *solids;
+    float *positions, *normals; /* of the solids' vertices, carried by the current */
+    bool *casts;                /* of each triangle */
+    int *parts;                 /* that each triangle belongs to */
     struct surface relief;
-    unsigned char *sand; /* sand_side² × 4: reflectance of the tile's floor, 0 to 255; NULL: floor.color */
+    unsigned char *sand; /* sand_side² × 4: reflectance of a sandy floor over the tile, 0 to 255; NULL: its mean */
     int sand_side;
 };
 
-/* Of the scene at a time, with the water at rest. `scene`, `solids` and `sky` outlive it. */
+/* Makes it of the scene at a time, with water whose surface is `water`, or at rest: NULL. `periodic`: water and floor
+ * have no end. */
 bool traced_world_make(struct traced_world *traced, const struct dpl_scene *scene, const struct world *solids,
-                       const struct optics_sky *sky, double time, const struct dpl_log *log);
+                       const struct optics_sky *sky, const struct surface *water, bool periodic, double time,
+                       const struct dpl_log *log);
+
 void traced_world_finish(struct traced_world *traced);
 
 #endif

@@ -21,9 +21,7 @@ bool waves_update(struct waves *waves, const struct frame *frame)
 double waves_extent(const struct frame *frame)
 {
     const struct scene_settings *settings = &frame->scene->settings;
-    if (settings->extent > 0)
-        return settings->extent / 2;
-    return frame->above->periodic ? 0 : settings->size / 2;
+    return settings->bounded || !frame->above->periodic ? settings->size / 2 : 0;
 }
 
 void waves_bind(const struct waves *waves, const struct frame *frame, const struct gpu_program *program, int unit)

@@ -19,8 +19,9 @@ bool waves_cover(vec2 xz)
     return waves_extent == 0.0 || max(abs(xz.x), abs(xz.y)) < waves_extent;
 }
 
-/* True where a point is in the water; what comes up to the last centimetre of it counts as wet by its waves alone. */
+/* True where a point is in the water. Walls that bound it are wet, too. */
 bool waves_wet(vec3 point)
 {
-    return waves_cover(point.xz) && point.y < waves_height(point.xz, 0.0);
+    float wall = waves_extent + 0.02;
+    return (waves_extent == 0.0 || max(abs(point.x), abs(point.z)) < wall) && point.y < waves_height(point.xz, 0.0);
 }

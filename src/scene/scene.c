@@ -13,9 +13,9 @@ static const struct dpl_param settings_params[] = {
     PARAM_FLOAT(struct scene_settings, size, 4, 0.01, 10000, "m", "side of the square tile of water"),
     PARAM_FLOAT(struct scene_settings, depth, 1, 0, 1000, "m", "from the rest surface down to the floor"),
     PARAM_FLOAT(struct scene_settings, loop, 0, 0, 3600, "s", "every wave repeats after this time; 0 = no loop"),
-    PARAM_FLOAT(struct scene_settings, extent, 0, 0, 10000, "m",
-                "side of the square of water that there is (look = physical); 0 = to the horizon, or the tile where it "
-                "is bounded"),
+    PARAM_BOOL(struct scene_settings, bounded, false,
+               "water and floor end at the tile's edges, as in a pool (look = physical); no: periodic water goes on to "
+               "the horizon"),
     PARAM_INT(struct scene_settings, seed, 1, 0, 1000000, "", "start of everything random (grains of sand, photons)"),
     PARAM_END,
 };
@@ -54,7 +54,6 @@ static const struct dpl_param floor_params[] = {
         struct scene_floor, relief_map,
         "picture of the relief over the tile in place of ripples: black is relief_height below the mean, white as "
         "much above"),
-    PARAM_FLOAT(struct scene_floor, extent, 0, 0, 10000, "m", "side of the square that the floor fills; 0 = endless"),
     PARAM_CHOICE(struct scene_floor, pattern, WORLD_PLAIN, floor_pattern_name, "what the floor is laid with"),
     PARAM_FLOAT(struct scene_floor, pattern_size, 0.15, 0.001, 1000, "m",
                 "side of a tile, width of a plank, height of a block"),

@@ -13,7 +13,7 @@
 
 struct scene_settings {
     double size, depth, loop;
-    double extent; /* m; 0: without end, or the tile */
+    bool bounded; /* water and floor end with the tile */
     int seed;
 };
 
@@ -23,7 +23,6 @@ struct scene_floor {
     double relief_height, relief_length; /* m */
     double relief_turn;                  /* degrees */
     char relief_map[DPL_PARAM_TEXT_SIZE];
-    double extent;       /* m; 0: endless */
     int pattern;         /* enum world_pattern; WORLD_PLAIN: sand */
     double pattern_size; /* m */
     double joint[3];
