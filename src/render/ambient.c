@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define FLOOR_SIDE 96   /* points of the floor a side */
+#define FLOOR_SIDE 96    /* points of the floor a side */
 #define FLOOR_MARGIN 2.0 /* m of floor around the solids */
 
 static bool bake_solids(struct physical *physical, const struct frame *frame, const struct traced_world *traced)
@@ -69,7 +69,8 @@ static bool bake_floor(struct physical *physical, const struct frame *frame, con
         return false;
     float *places = room, *normals = room + 3 * count, *irradiance = room + 6 * count, *texels = room + 9 * count;
     place_floor(physical, frame, side, places, normals);
-    bool ok = ambient_bake(&traced->camera, (int)count, places, normals, physical->quality.ambient_rays, irradiance, log);
+    bool ok =
+        ambient_bake(&traced->camera, (int)count, places, normals, physical->quality.ambient_rays, irradiance, log);
     for (size_t i = 0; i < count; i++)
         memcpy(texels + 4 * i, irradiance + 3 * i, 3 * sizeof *texels);
     if (ok) {

@@ -136,7 +136,10 @@ bool traced_world_make(struct traced_world *traced, const struct dpl_scene *scen
                    .relief = solids->relief_side > 0 ? &traced->relief : NULL,
                    .floor_reflectance = floor_reflectance,
                    .user = traced},
-        .water = {.half = half, .surface = water, .roughness = scene->medium.roughness, .optics = water_optics(&scene->medium)},
+        .water = {.half = half,
+                  .surface = water,
+                  .roughness = scene->medium.roughness,
+                  .optics = water_optics(&scene->medium)},
         .sky = sky,
         .sun = optics_sun_disc(&scene->sun),
     };
