@@ -20,10 +20,10 @@ static const struct dpl_param params[] = {
 };
 
 static const struct quality qualities[] = {
-    {1024, 4, 12, 3, 2, 32},
-    {2048, 8, 20, 2, 2, 64},
-    {4096, 12, 32, 2, 1, 128},
-    {4096, 24, 64, 1, 1, 256},
+    {1024, 4, 12, 3, 2, 128},
+    {2048, 8, 20, 2, 2, 256},
+    {4096, 12, 32, 2, 1, 512},
+    {4096, 24, 64, 1, 1, 1024},
 };
 
 /* The sky as a texture, with smaller levels for what rough water mirrors of it. */

@@ -58,7 +58,8 @@ struct physical_light {
 };
 
 struct quality {
-    int shadow_side, shadow_taps, shaft_steps, shaft_share, mirror_share, ambient_rays; /* share: of the picture's side, 1 / share */
+    int shadow_side, shadow_taps, shaft_steps, shaft_share, mirror_share,
+        ambient_rays; /* share: of the picture's side, 1 / share */
 };
 
 struct shadow {
