@@ -300,6 +300,18 @@ static void seeds_differ(void **state)
     }
 }
 
+/* Nor are two rocks of the same values the same one, but for the place. */
+static void objects_differ(void **state)
+{
+    struct fixture *fixture = *state;
+    support_set(fixture->scene, "object.a.shape", "rock");
+    support_set(fixture->scene, "object.b.shape", "rock");
+    build(fixture);
+    size_t half = (size_t)fixture->world.vertex_count / 2;
+    assert_true(memcmp(fixture->world.vertices, fixture->world.vertices + half, half * sizeof(struct world_vertex)) !=
+                0);
+}
+
 static void colors_are_the_shape_s_or_the_object_s(void **state)
 {
     struct fixture *fixture = *state;
@@ -381,6 +393,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(copies_stand_in_their_disc, setup, teardown),
         cmocka_unit_test_setup_teardown(worlds_are_made_anew_where_something_changed, setup, teardown),
         cmocka_unit_test_setup_teardown(seeds_differ, setup, teardown),
+        cmocka_unit_test_setup_teardown(objects_differ, setup, teardown),
         cmocka_unit_test_setup_teardown(colors_are_the_shape_s_or_the_object_s, setup, teardown),
         cmocka_unit_test_setup_teardown(materials_are_parts, setup, teardown),
         cmocka_unit_test_setup_teardown(no_objects_are_a_world_too, setup, teardown),
