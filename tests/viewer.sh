@@ -3,7 +3,7 @@
 # KEEP=1 keeps the pictures of the screen and says where.
 set -u
 dapple=$(realpath "$1")
-shaders=${2:-$(dirname "$0")/../src}
+shaders=${2:-$(dirname "$0")/../src} scenes=$(dirname "$0")/../scenes
 for tool in Xvfb xdotool import compare convert; do
     command -v $tool >/dev/null || { echo "skipped: $tool is missing"; exit 77; }
 done
@@ -12,13 +12,15 @@ done
 # Places in a window of 1280 × 720 at a scale of 1.
 width=1280 height=720
 middle=640x600+380+20        # of the picture, clear of the panels: WxH+X+Y
-times=160x180+1048+36         # the times of the passes, which change with every frame
-scene_menu='180 45'          # the menu; its first entry and the distance to the next stand below it
+times=200x220+1048+36         # the times of the passes, which change with every frame
+scene_menu='180 45'          # the menu; its first line and the distance to the next stand below it
 entry_x=60 entry_y=70 entry_step=17
 save_button='260 91'
-depth_from='120 233' depth_to='40 233' # the slider of scene.depth, and of [scene] the button "reset"
-scene_reset='316 187'
-compare_y=160 with_y=183       # the menus of what is compared; their entries stand below as those of the scenes do
+path_header='120 252'
+time_early='100 298 70 298' time_late='70 298 180 298' clear_button='294 275' # below it, while it is open
+depth_from='120 371' depth_to='40 371' # the slider of scene.depth, and of [scene] the button "reset"
+scene_reset='316 325'
+compare_y=298 with_y=321       # the menus of what is compared; their entries stand below as those of the scenes do
 pool_water='560 270' pool_far=80x40+830+280 # a place of the water, and an area far from there
 pool_ball='700 295' pool_ball_to='640 280'
 left_part=250x500+380+100      # of the picture, left of its middle and right of it
@@ -157,9 +159,18 @@ close() {
     viewer=
 }
 
+# The lines of the menu of scenes: a heading, the physical scenes, a heading, the others; no heading without scenes.
+menu_lines() {
+    usual=$("$dapple" list params | awk '/^ *render.look / { getline; print $NF }')
+    "$dapple" list scenes | while read -r name _; do
+        look=$(sed -n 's/^look *= *\([a-z-]*\).*/\1/p' "$scenes/$name.ini")
+        if [ "${look:-$usual}" = physical ]; then echo "1 $name"; else echo "2 $name"; fi
+    done | sort -s -k 1,1 | awk '$1 != group { print "heading" } { group = $1; print $2 }'
+}
+
 # choose NAME: in the menu of scenes; then the title has that name.
 choose() {
-    index=$("$dapple" list scenes | awk -v name="$1" '$1 == name { print NR - 1 }')
+    index=$(echo "$menu" | awk -v name="$1" '$1 == name { print NR - 1 }')
     click $scene_menu
     click $entry_x $((entry_y + entry_step * index))
     point $((width / 2)) $((height / 2))
@@ -185,16 +196,48 @@ filled() {
 }
 
 check_presets() {
-    previous=paused
-    for number in 2 3 4 1; do
+    cp "$folder/paused.png" "$folder/preset-1.png"
+    for number in 2 3 4; do
         try 20 choose collard-$number || fail "the menu does not choose collard-$number"
-        try 20 shows_other preset-$number $previous || fail "choosing collard-$number changes nothing"
-        previous=preset-$number
+        try 20 shows_other preset-$number preset-$((number - 1)) || fail "choosing collard-$number changes nothing"
     done
     for pair in '1 2' '1 3' '1 4' '2 3' '2 4' '3 4'; do
         set -- $pair
         [ "$(differ "preset-$1" "preset-$2")" -gt 4 ] || fail "collard-$1 and collard-$2 look the same"
     done
+}
+
+# value SECTION KEY FILE: of a scene that was saved.
+value() {
+    awk -v section="[$1]" -v key="$2" '/^\[/ { inside = $0 == section } inside && $1 == key { print $3 }' "$folder/$3"
+}
+
+# save NUMBER: the scene, which becomes the file of that number.
+save() {
+    click $save_button
+    try 20 has_file "dapple-000$1.ini" || fail "the button \"Save scene\" writes nothing"
+}
+
+# The camera goes from one key to another one, and a saved scene has both.
+check_path() {
+    click $path_header
+    drag $time_early
+    xdotool key k
+    drag $time_late
+    drag 600 300 700 300
+    xdotool key k
+    xdotool key c
+    try 20 moves || fail "C does not play the path"
+    pause
+    save 2
+    from=$(value camera.1 position dapple-0002.ini) to=$(value camera.2 position dapple-0002.ini)
+    awk -v from="$from" -v to="$to" -v now="$(value camera position dapple-0002.ini)" \
+        'BEGIN { exit !(from != to && (now - from) * (to - now) > 0) }' ||
+        fail "the camera is not on its way between the keys"
+    click $clear_button
+    save 3
+    [ -z "$(value camera.1 time dapple-0003.ini)" ] || fail "the button \"Clear\" does not take the keys away"
+    click $path_header
 }
 
 # changes NAME OTHER PROBLEM ACTION…: acts until the picture, NAME.png, is not OTHER.png any more.
@@ -225,8 +268,7 @@ check_controls() {
     changes flown nearer "W does not move the camera" hold_w
     changes looked flown "dragging with the right button does not move the camera" drag 600 300 640 320 3
     changes stepped looked "N does not move the water" xdotool key n n n n n n
-    click $save_button
-    try 20 has_file dapple-0001.ini || fail "the button \"Save scene\" writes nothing"
+    save 1
 }
 
 # pick Y INDEX: an entry of the menu at that height.
@@ -302,12 +344,17 @@ shows_panels() {
 # A scene's file and a shader that are edited while the window shows them.
 check_reload() {
     cp -r "$shaders" "$folder/shaders"
-    printf '[water]\nmodel = collard\n[caustics]\nmap = 256\n' >"$folder/pool.ini"
-    open pool.ini --shaders shaders
+    mkdir "$folder/beside"
+    printf '[water]\nmodel = collard\n[caustics]\nmap = 256\n' >"$folder/beside/pool.ini"
+    open beside/pool.ini --shaders shaders
     pause
-    printf '[scene]\ndepth = 0.3\n' >>"$folder/pool.ini"
+    xdotool key F3
+    try 60 has_file beside/pool-still.png || fail "F3 writes no still picture beside the scene"
+    [ "$(identify -format '%wx%h' "$folder/beside/pool-still.png")" = 3840x2160 ] ||
+        fail "the still picture is not as large as it should be"
+    printf '[scene]\ndepth = 0.3\n' >>"$folder/beside/pool.ini"
     try 20 shows_other edited paused || fail "the scene is not read anew"
-    printf 'depth = deep\n' >>"$folder/pool.ini"
+    printf 'depth = deep\n' >>"$folder/beside/pool.ini"
     try 20 logged 'pool.ini:7: scene.depth' || fail "no message for a broken scene"
     try 20 shows_same kept edited || fail "a broken scene takes the picture away"
     screen message
@@ -345,8 +392,7 @@ check_pool() {
     changes lit waves "L does not move the sun" xdotool key l
     changes moved lit "the ball cannot be dragged" drag $pool_ball $pool_ball_to
     xdotool key g
-    click $save_button
-    try 20 has_file dapple-0001.ini || fail "the button \"Save scene\" writes nothing"
+    save 1
     grep -q '^gravity = true' "$folder/dapple-0001.ini" || fail "G does not switch the ball's gravity on"
     close
 }
@@ -366,8 +412,13 @@ export DISPLAY
 open collard-1
 try 20 moves || fail "the water does not move"
 pause
+menu=$(menu_lines)
 check_presets
+close
+open collard-1 --set caustics.map=128 # the rest is of the window; so it is quick
+pause
 check_controls
+check_path
 check_compare
 check_window
 [ ! -e "$folder/imgui.ini" ] || fail "imgui.ini was written"

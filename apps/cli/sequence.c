@@ -17,7 +17,7 @@ struct result {
     double seconds;
 };
 
-/* A frame that is being refined. */
+/* A frame that is being refined, or drawn in tiles. */
 struct refining {
     struct progress *progress;
     int frame;
@@ -31,6 +31,12 @@ static bool refine(void *user, double done)
     return !interrupt_caught() && clock_seconds() < refining->until;
 }
 
+static void count_tile(void *user, int done, int tiles)
+{
+    const struct refining *refining = user;
+    progress_step(refining->progress, refining->frame + (double)done / tiles);
+}
+
 /* A technique that refines its map may have photons to save: an interrupt stops it first. */
 static struct dpl_image *make_frame(const struct sequence *sequence, const struct session *session,
                                     struct progress *progress, int frame)
@@ -39,6 +45,7 @@ static struct dpl_image *make_frame(const struct sequence *sequence, const struc
     bool limited = options->given & FLAG_BIT(FLAG_SECONDS), refines = session_technique(session).refines;
     struct refining refining = {progress, frame, limited ? clock_seconds() + options->seconds : INFINITY};
     dpl_renderer_progress(session->renderer, refine, &refining);
+    dpl_renderer_tiles(session->renderer, count_tile, &refining);
     if (refines)
         interrupt_hold();
     struct dpl_image *image = sequence->make(session, sequence_time(options, frame));

@@ -40,6 +40,12 @@ static void set_point(struct dpl_scene *scene, const char *key, const double poi
     dpl_scene_set(scene, key, text);
 }
 
+void camera_control_place(struct dpl_scene *scene, const double position[3], const double target[3])
+{
+    set_point(scene, "camera.position", position);
+    set_point(scene, "camera.target", target);
+}
+
 /* The unit vector from the target to the eye. */
 static void backward(const struct view *view, double out[3])
 {
@@ -70,8 +76,7 @@ static void write_view(struct dpl_scene *scene, const struct view *view)
         target[i] = clamp(view->target[i], -COORDINATE_MAX, COORDINATE_MAX);
         eye[i] = target[i] + back[i] * view->distance;
     }
-    set_point(scene, "camera.position", eye);
-    set_point(scene, "camera.target", target);
+    camera_control_place(scene, eye, target);
 }
 
 static void orbit(struct view *view, const struct camera_input *input)
@@ -102,14 +107,14 @@ static void fly(struct view *view, const struct camera_input *input)
     view->target[2] += step * (-input->right * sin(view->yaw) - input->forward * back[2]);
 }
 
-void camera_control_move(struct dpl_scene *scene, const struct camera_input *input)
+bool camera_control_move(struct dpl_scene *scene, const struct camera_input *input)
 {
     bool orbits = input->orbit[0] != 0 || input->orbit[1] != 0 || input->wheel != 0;
     bool looks = input->look[0] != 0 || input->look[1] != 0;
     bool flies = input->forward != 0 || input->right != 0 || input->up != 0;
     struct view view;
     if (!(orbits || looks || flies) || !read_view(scene, &view))
-        return;
+        return false;
     if (orbits)
         orbit(&view, input);
     if (looks)
@@ -117,6 +122,7 @@ void camera_control_move(struct dpl_scene *scene, const struct camera_input *inp
     if (flies)
         fly(&view, input);
     write_view(scene, &view);
+    return true;
 }
 
 bool camera_control_ray(const struct dpl_scene *scene, const double place[2], double aspect, struct camera_ray *ray)

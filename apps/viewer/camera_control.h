@@ -14,8 +14,11 @@ struct camera_input {
     double seconds;            /* real time that passed */
 };
 
-/* Sets camera.position and camera.target. */
-void camera_control_move(struct dpl_scene *scene, const struct camera_input *input);
+/* Sets camera.position and camera.target; true where they moved. */
+bool camera_control_move(struct dpl_scene *scene, const struct camera_input *input);
+
+/* Puts the camera there. */
+void camera_control_place(struct dpl_scene *scene, const double position[3], const double target[3]);
 
 /* The line of sight through a place of the picture. Directions are unit vectors. */
 struct camera_ray {

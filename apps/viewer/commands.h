@@ -10,7 +10,10 @@ struct commands {
     bool reset, reload;    /* reload: the scene and the shaders, from their files */
     bool hide, quit;       /* hide: the panels, or show them */
     bool gravity, light;   /* gravity: of the sphere, on or off; light: from the eye */
-    const char *load;      /* a built-in scene; NULL: none */
+    bool path;             /* play the camera's path, or stop it */
+    bool add_key, clear_path;
+    bool still;       /* write the still picture */
+    const char *load; /* a built-in scene; NULL: none */
 };
 
 #endif

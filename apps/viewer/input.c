@@ -19,7 +19,10 @@ const struct input_key *input_keys(void)
         {"N", "step of 1/60 s"},
         {"G", "gravity of the ball"},
         {"L", "sun from the eye"},
+        {"K", "key of the camera"},
+        {"C", "camera's path"},
         {"F2", "screenshot"},
+        {"F3", "still picture"},
         {"F5", "load files anew"},
         {"H", "hide the panels"},
         {"escape", "quit"},
@@ -48,6 +51,15 @@ static void press_key(GLFWwindow *window, int key, int scancode, int action, int
         break;
     case GLFW_KEY_N:
         commands->step = true;
+        break;
+    case GLFW_KEY_K:
+        commands->add_key = true;
+        break;
+    case GLFW_KEY_C:
+        commands->path = !commands->path;
+        break;
+    case GLFW_KEY_F3:
+        commands->still = true;
         break;
     case GLFW_KEY_F2:
         commands->screenshot = true;

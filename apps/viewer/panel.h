@@ -7,6 +7,8 @@
 #include "viewer/commands.h"
 #include "viewer/compare.h"
 #include "viewer/document.h"
+#include "viewer/path.h"
+#include "viewer/still.h"
 
 struct GLFWwindow;
 struct panel;
@@ -20,6 +22,8 @@ struct panel_view {
     struct document *document; /* values are changed through dpl_scene_set() only */
     struct viewer_clock *clock;
     struct viewer_compare *compare;
+    struct viewer_path *path;
+    struct viewer_still *still;
     struct dpl_renderer *renderer; /* of which a frame has been drawn */
     const char *device;
     int width, height;    /* of the picture, pixels */

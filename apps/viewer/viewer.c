@@ -29,6 +29,8 @@ struct viewer {
     struct input input;
     struct viewer_clock clock;
     struct viewer_compare compare;
+    struct viewer_path path;
+    struct viewer_still still;
     struct touch touch;
     struct watch watch;
     double frame_seconds; /* mean of the last frames, real time */
@@ -118,6 +120,19 @@ static void time_passes(struct viewer *viewer)
     dpl_renderer_time_passes(viewer->renderer, queries ? DPL_TIMING_QUERIES : DPL_TIMING_WAIT, glfwGetTime);
 }
 
+/* While a large picture is being drawn the window tells how far it is. */
+static void show_progress(void *user, int done, int tiles)
+{
+    struct viewer *viewer = user;
+    char text[256];
+    snprintf(text, sizeof text, "%s (%d x %d): tile %d of %d", viewer->still.name, viewer->still.size[0],
+             viewer->still.size[1], done, tiles);
+    struct panel_view view = {.message = text, .hidden = true, .blank = true};
+    panel_draw(viewer->panel, &view);
+    glfwSwapBuffers(viewer->window);
+    glfwPollEvents();
+}
+
 static bool start(struct viewer *viewer)
 {
     const struct viewer_options *options = viewer->options;
@@ -134,6 +149,10 @@ static bool start(struct viewer *viewer)
         return say(viewer, DPL_LOG_ERROR, DPL_REASON_LIMIT, "window: memory is short");
     time_passes(viewer);
     compare_start(&viewer->compare, viewer->renderer, glfwGetTime);
+    dpl_renderer_path(viewer->renderer, false); /* the path moves [camera] itself, so that hands can go on from there */
+    dpl_renderer_tiles(viewer->renderer, show_progress, viewer);
+    viewer->still = (struct viewer_still){.size = {3840, 2160}};
+    still_rename(&viewer->still, viewer->document.path);
     watch_start(&viewer->watch, viewer->document.path, options->shader_folder);
     clock_start(&viewer->clock, options->time, glfwGetTime());
     return true;
@@ -174,6 +193,27 @@ static void take_screenshot(struct viewer *viewer, int width, int height)
     dpl_image_destroy(image);
 }
 
+static void save_still(struct viewer *viewer)
+{
+    struct viewer_still *still = &viewer->still;
+    char path[PATH_MAX];
+    still_path(still, viewer->document.path, path, sizeof path);
+    if (!dpl_image_format_known(path, &viewer->log))
+        return;
+    struct dpl_image *image = dpl_renderer_picture(viewer->renderer, viewer->document.scene, viewer->clock.time,
+                                                   still->size[0], still->size[1]);
+    if (image && dpl_image_save(image, path, NULL, &viewer->log))
+        say(viewer, DPL_LOG_INFO, DPL_REASON_NONE, "written: %s (%d × %d)", path, still->size[0], still->size[1]);
+    dpl_image_destroy(image);
+    viewer->clock.last = glfwGetTime(); /* the water waits */
+}
+
+static void add_key(struct viewer *viewer)
+{
+    if (path_add_key(viewer->document.scene, viewer->clock.time))
+        say(viewer, DPL_LOG_INFO, DPL_REASON_NONE, "camera: key at %.2f s", viewer->clock.time);
+}
+
 static void save_scene(struct viewer *viewer)
 {
     char name[32];
@@ -187,6 +227,8 @@ static void load_scene(struct viewer *viewer, const char *path)
         return;
     watch_start(&viewer->watch, viewer->document.path, viewer->options->shader_folder);
     show_title(viewer);
+    if (path != viewer->document.path)
+        still_rename(&viewer->still, viewer->document.path);
     say(viewer, DPL_LOG_INFO, DPL_REASON_NONE, "loaded: %s", viewer->document.path);
 }
 
@@ -206,28 +248,42 @@ static void reload_changed(struct viewer *viewer)
         load_scene(viewer, viewer->document.path);
 }
 
-static void obey(struct viewer *viewer, const struct commands *commands, int width, int height)
+static void obey_files(struct viewer *viewer, const struct commands *commands, int width, int height)
 {
-    if (commands->pause)
-        viewer->clock.paused = !viewer->clock.paused;
-    if (commands->step)
-        clock_step(&viewer->clock);
     if (commands->screenshot)
         take_screenshot(viewer, width, height);
+    if (commands->still)
+        save_still(viewer);
     if (commands->save)
         save_scene(viewer);
-    if (commands->reset)
-        document_reset(&viewer->document);
     if (commands->reload) {
         reload_shaders(viewer);
         load_scene(viewer, viewer->document.path);
     }
     if (commands->load)
         load_scene(viewer, commands->load);
+}
+
+static void obey(struct viewer *viewer, const struct commands *commands, int width, int height)
+{
+    struct dpl_scene *scene = viewer->document.scene;
+    if (commands->pause)
+        viewer->clock.paused = !viewer->clock.paused;
+    if (commands->step)
+        clock_step(&viewer->clock);
+    if (commands->add_key)
+        add_key(viewer);
+    if (commands->clear_path)
+        path_clear(scene);
+    if (commands->path)
+        path_toggle(&viewer->path, scene, &viewer->clock);
+    obey_files(viewer, commands, width, height);
+    if (commands->reset)
+        document_reset(&viewer->document);
     if (commands->gravity)
-        touch_toggle_gravity(viewer->document.scene);
+        touch_toggle_gravity(scene);
     if (commands->light)
-        touch_place_sun(viewer->document.scene);
+        touch_place_sun(scene);
     if (commands->hide)
         viewer->hidden = !viewer->hidden;
     if (commands->quit)
@@ -243,6 +299,8 @@ static void draw(struct viewer *viewer, int width, int height)
         .document = &viewer->document,
         .clock = &viewer->clock,
         .compare = &viewer->compare,
+        .path = &viewer->path,
+        .still = &viewer->still,
         .renderer = viewer->renderer,
         .device = dpl_gl_describe(viewer->gl)->renderer,
         .width = width,
@@ -259,6 +317,14 @@ static void draw(struct viewer *viewer, int width, int height)
     obey(viewer, &keys, width, height);
 }
 
+/* By its path; or by the hands, which take it off the path. */
+static void move_camera(struct viewer *viewer, const struct camera_input *hands)
+{
+    path_move(&viewer->path, viewer->document.scene, viewer->clock.time);
+    if (camera_control_move(viewer->document.scene, hands))
+        viewer->path.follows = false;
+}
+
 static void run(struct viewer *viewer)
 {
     while (!glfwWindowShouldClose(viewer->window)) {
@@ -269,7 +335,7 @@ static void run(struct viewer *viewer)
         struct touch_input finger = input_take_touch(&viewer->input, viewer->window);
         if (touch_move(&viewer->touch, viewer->document.scene, viewer->renderer, &finger))
             hands.orbit[0] = hands.orbit[1] = 0;
-        camera_control_move(viewer->document.scene, &hands);
+        move_camera(viewer, &hands);
         reload_changed(viewer);
         int width, height;
         glfwGetFramebufferSize(viewer->window, &width, &height);

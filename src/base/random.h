@@ -12,4 +12,10 @@ static inline uint64_t random_mix(uint64_t bits)
     return bits ^ bits >> 31;
 }
 
+/* From 0 to 1, without 1. */
+static inline double random_fraction(uint64_t counter)
+{
+    return (double)(random_mix(counter) >> 11) * 0x1p-53;
+}
+
 #endif

@@ -2,6 +2,7 @@
 #include "reference/photons.h"
 
 #include "base/file.h"
+#include "base/hash.h"
 #include "base/log.h"
 
 #include <stdlib.h>
@@ -16,39 +17,6 @@ struct header {
     uint64_t check; /* of all before it and of the sums */
 };
 
-/* FNV-1a (Fowler, Noll & Vo 1991), eight bytes at a time as far as they go. */
-static const uint64_t hash_start = 0xcbf29ce484222325u, hash_factor = 0x100000001b3u;
-
-static uint64_t hash(uint64_t value, const void *data, size_t size)
-{
-    const unsigned char *bytes = data;
-    for (; size >= 8; size -= 8, bytes += 8) {
-        uint64_t word;
-        memcpy(&word, bytes, 8);
-        value = (value ^ word) * hash_factor;
-        value ^= value >> 32; /* so that high bits reach low ones too */
-    }
-    for (; size > 0; size--, bytes++)
-        value = (value ^ *bytes) * hash_factor;
-    return value;
-}
-
-static uint64_t hash_number(uint64_t value, double number)
-{
-    return hash(value, &number, sizeof number);
-}
-
-/* The values of a table, without what may lie between them in memory. */
-static uint64_t hash_params(uint64_t value, const struct dpl_param *param, const void *values)
-{
-    for (; param && param->name; param++) {
-        char text[DPL_PARAM_TEXT_SIZE * 2];
-        if (dpl_param_format(param, values, text, sizeof text))
-            value = hash(value, text, strlen(text) + 1);
-    }
-    return value;
-}
-
 /* The water at some points: what a state of its model, a file or a second model makes of it. */
 static uint64_t hash_water(uint64_t value, const struct photons_task *task)
 {
@@ -61,14 +29,14 @@ static uint64_t hash_water(uint64_t value, const struct photons_task *task)
     struct water_points points = {POINTS,    arrays[0], arrays[1], arrays[2], arrays[3],
                                   arrays[4], arrays[5], arrays[6], arrays[7]};
     water_sample(task->model, task->setup, task->time, &points);
-    return hash(value, arrays, sizeof arrays);
+    return hash_bytes(value, arrays, sizeof arrays);
 }
 
 uint64_t photons_fingerprint(const struct photons_task *task)
 {
     const struct water_setup *setup = task->setup;
-    uint64_t value = hash(hash_start, MAGIC, sizeof MAGIC);
-    value = hash(value, task->model->name, strlen(task->model->name) + 1);
+    uint64_t value = hash_bytes(hash_start, MAGIC, sizeof MAGIC);
+    value = hash_bytes(value, task->model->name, strlen(task->model->name) + 1);
     value = hash_params(value, task->model->params, setup->params);
     value = hash_number(value, setup->size);
     value = hash_number(value, setup->depth);
@@ -86,7 +54,7 @@ uint64_t photons_fingerprint(const struct photons_task *task)
     for (int r = 0; r < task->receiver_count; r++)
         value = hash_number(value, task->receivers[r]);
     for (int r = 0; r < task->receiver_count && task->windows; r++)
-        value = hash(value, task->windows + r, sizeof *task->windows);
+        value = hash_bytes(value, task->windows + r, sizeof *task->windows);
     value = hash_number(value, task->receiver_count);
     return hash_number(value, task->side);
 }
@@ -96,8 +64,8 @@ static struct header header_of(const struct photons *photons, const uint64_t *su
     struct header header = {
         .fingerprint = photons->fingerprint, .passes = passes, .sum_count = photons_sum_count(photons)};
     memcpy(header.magic, MAGIC, sizeof header.magic);
-    header.check = hash(hash_start, &header, offsetof(struct header, check));
-    header.check = hash(header.check, sums, photons_sum_count(photons) * sizeof *sums);
+    header.check = hash_bytes(hash_start, &header, offsetof(struct header, check));
+    header.check = hash_bytes(header.check, sums, photons_sum_count(photons) * sizeof *sums);
     return header;
 }
 

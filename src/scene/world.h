@@ -21,14 +21,17 @@ struct world_vertex {
 
 enum world_pattern { WORLD_PLAIN, WORLD_TILES, WORLD_PLANKS, WORLD_BLOCKS, WORLD_PATTERNS };
 
+/* The i-th pattern's name, NULL past the last: the choices of `object.NAME.pattern`. */
+const char *world_pattern_name(int i);
+
 /* Triangles of one material. */
 struct world_part {
-    int first, count;     /* in `indices` */
-    int pattern;          /* enum world_pattern */
-    double pattern_size;  /* m, of a tile, a plank's width, a block's height */
-    double joint[3];      /* reflectance between tiles */
-    bool two_sided;       /* leaves: lit on whichever side is seen */
-    bool casts;           /* throws a shadow on other things (walls of an enclosure may not) */
+    int first, count;    /* in `indices` */
+    int pattern;         /* enum world_pattern */
+    double pattern_size; /* m, of a tile, a plank's width, a block's height */
+    double joint[3];     /* reflectance between tiles */
+    bool two_sided;      /* leaves: lit on whichever side is seen */
+    bool casts;          /* throws a shadow on other things (walls of an enclosure may not) */
 };
 
 /* All zero: none yet. */
@@ -39,8 +42,8 @@ struct world {
     int vertex_count, index_count, part_count;
     double low[3], high[3]; /* m, around all vertices with the way that they may sway; low > high: there are none */
 
-    int relief_side; /* vertices of the floor a side of the tile, periodic; 0: flat */
-    float *relief;   /* relief_side²: m above the flat floor; row 0 is the smallest z */
+    int relief_side;      /* vertices of the floor a side of the tile, periodic; 0: flat */
+    float *relief;        /* relief_side²: m above the flat floor; row 0 is the smallest z */
     uint64_t fingerprint; /* of what it was made from; changes when the world changes */
 };
 
@@ -52,7 +55,8 @@ void world_finish(struct world *world);
 /* Where the water has carried a vertex at that time, m from its place at rest. */
 void world_sway(const struct dpl_scene *scene, const struct world_vertex *vertex, double time, float moved[3]);
 
-/* Reflectance there: the vertices' colour, interpolated, with the part's pattern on it. world_pattern.glsl is its twin. */
+/* Reflectance there: the vertices' colour, interpolated, with the part's pattern on it. world_pattern.glsl is its twin.
+ */
 void world_color(const struct world_part *part, const float color[3], const float place[2], float reflectance[3]);
 
 /* The floor's height and slopes at a place, m above -depth, interpolated; 0 where it is flat. */

@@ -23,6 +23,7 @@ struct water_medium {
     double absorption[3]; /* 1/m, red green blue, of type 0; so are the next */
     double scattering[3]; /* 1/m */
     double anisotropy;    /* mean cosine of the angle at which particles scatter, of all types */
+    double roughness;     /* root mean square of slopes too fine for the grid */
 };
 extern const struct dpl_param water_medium_params[];
 

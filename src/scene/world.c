@@ -1,0 +1,83 @@
+#include "scene/world.h"
+
+#include "base/hash.h"
+#include "scene/scene.h"
+#include "scene/world_copies.h"
+#include "scene/world_floor.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static uint64_t fingerprint_of(const struct dpl_scene *scene)
+{
+    uint64_t value = hash_number(hash_start, scene->settings.size);
+    value = hash_number(value, scene->settings.depth);
+    value = hash_number(value, scene->settings.seed);
+    value = hash_number(value, scene->current.strength);
+    value = hash_number(value, scene->floor.relief_height);
+    value = hash_number(value, scene->floor.relief_length);
+    value = hash_number(value, scene->floor.relief_turn);
+    value = hash_bytes(value, scene->floor.relief_map, sizeof scene->floor.relief_map);
+    for (int o = 0; o < scene->object_count; o++)
+        value = hash_params(value, scene_object_params, scene->objects + o);
+    return value ? value : 1; /* 0: no world yet */
+}
+
+/* The box around all vertices, and around the ways that they may go. */
+static void measure(struct world *world, double strength)
+{
+    for (int c = 0; c < 3; c++) {
+        world->low[c] = INFINITY;
+        world->high[c] = -INFINITY;
+    }
+    for (int v = 0; v < world->vertex_count; v++) {
+        const struct world_vertex *vertex = world->vertices + v;
+        double reach = strength * (double)vertex->sway;
+        for (int c = 0; c < 3; c++) {
+            world->low[c] = fmin(world->low[c], (double)vertex->position[c] - reach);
+            world->high[c] = fmax(world->high[c], (double)vertex->position[c] + reach);
+        }
+    }
+}
+
+static bool build_objects(struct world *world, const struct dpl_scene *scene, const struct dpl_log *log)
+{
+    struct world_builder builder = {.log = log};
+    for (int o = 0; o < scene->object_count; o++) {
+        if (!copies_build(&builder, world, scene, o)) {
+            builder_finish(&builder);
+            return false;
+        }
+    }
+    world->vertices = builder.vertices;
+    world->indices = builder.indices;
+    world->parts = builder.parts;
+    world->vertex_count = builder.vertex_count;
+    world->index_count = builder.index_count;
+    world->part_count = builder.part_count;
+    measure(world, scene->current.strength);
+    return true;
+}
+
+bool world_build(struct world *world, const struct dpl_scene *scene, const struct dpl_log *log)
+{
+    struct world fresh = {.fingerprint = fingerprint_of(scene)};
+    if (fresh.fingerprint == world->fingerprint)
+        return true;
+    if (!floor_build(&fresh, scene, log) || !build_objects(&fresh, scene, log)) {
+        world_finish(&fresh);
+        return false;
+    }
+    world_finish(world);
+    *world = fresh;
+    return true;
+}
+
+void world_finish(struct world *world)
+{
+    free(world->vertices);
+    free(world->indices);
+    free(world->parts);
+    free(world->relief);
+    *world = (struct world){0};
+}
