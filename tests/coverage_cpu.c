@@ -29,7 +29,7 @@ static void a_point_sun_is_the_plain_sum(void **state)
         const struct expectation *e = expectations + i;
         make_random(fixture, 7 + i, e->cycles, e->steepness, e->mesh, e->periodic);
         fixture->receivers[0] = e->receiver;
-        fixture->sun = (struct optics_sun){e->elevation, e->azimuth, 0};
+        fixture->sun = (struct optics_sun){.elevation = e->elevation, .azimuth = e->azimuth, .angular_radius = 0};
         trace(fixture, e->map, 1);
         double error = error_of_sum(fixture, 0, (int)(i % 3));
         if (!(error < 1e-4))
@@ -64,7 +64,8 @@ static void a_map_has_the_mean_of_the_vertices_weights(void **state)
     struct fixture *fixture = *state;
     for (int i = 0; i < 16; i++) {
         make_random(fixture, 100 + (uint64_t)i, 6, i & 8 ? 0.04 : 0.15, 50 + i, true);
-        fixture->sun = (struct optics_sun){elevations[i % 4], 77 * i, i & 4 ? 0.2665 : 0};
+        fixture->sun = (struct optics_sun){
+            .elevation = elevations[i % 4], .azimuth = 77 * i, .angular_radius = i & 4 ? 0.2665 : 0};
         fixture->medium.dispersion = i & 2 ? 0.1 : 0;
         fixture->receivers[0] = i & 8 ? 0.7 : -0.2 - i;
         trace(fixture, 20 + 7 * i, 1);
@@ -88,7 +89,7 @@ static void choppy_water_is_the_plain_sum(void **state)
     struct fixture *fixture = *state;
     for (int i = 0; i < 8; i++) {
         make_waves(fixture, waves, 4, 48 + 9 * i, i % 2 == 0);
-        fixture->sun = (struct optics_sun){90 - 6 * i, 50 * i, 0};
+        fixture->sun = (struct optics_sun){.elevation = 90 - 6 * i, .azimuth = 50 * i, .angular_radius = 0};
         fixture->receivers[0] = i & 4 ? 0.1 : -1 - i;
         trace(fixture, 60 - i, 1);
         double error = error_of_sum(fixture, 0, i % 3);
@@ -248,7 +249,7 @@ static void colours_are_maps_of_their_own(void **state)
     for (int k = 0; k < 2; k++) {
         double ior[3];
         fixture->sun.angular_radius = 0.5 * k;
-        fixture->medium = (struct water_medium){0, 1.333, 0.02, {0.35, 0.07, 0.03}};
+        fixture->medium = (struct water_medium){.ior = 1.333, .dispersion = 0.02, .absorption = {0.35, 0.07, 0.03}};
         water_refractive_indices(&fixture->medium, ior);
         assert_true(ior[0] < ior[1] && ior[1] < ior[2]);
         trace(fixture, 40, 1);

@@ -50,7 +50,7 @@ static void a_disc_is_many_suns(void **state)
     for (size_t i = 0; i < sizeof expectations / sizeof *expectations; i++) {
         const struct expectation *e = expectations + i;
         make_random(fixture, i < 3 ? 30 + i : 32 + i, 4, e->steepness, 72, true);
-        fixture->sun = (struct optics_sun){e->elevation, 110, e->radius};
+        fixture->sun = (struct optics_sun){.elevation = e->elevation, .azimuth = 110, .angular_radius = e->radius};
         fixture->receivers[0] = e->receiver;
         assert_true(light_map_resize(&fixture->map, 64, 3, 1, NULL));
         double *wanted = many_suns(fixture, 1), errors[4];

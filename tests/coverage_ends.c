@@ -31,7 +31,8 @@ static void flat_water_gives_one_everywhere(void **state)
     for (int i = 0; i < 4 * 6 * 3 * 2; i++) {
         double elevation = elevations[i % 4], receiver = receivers[i / 4 % 6];
         bool disc = i % 3 == 0 && elevation > 20 && fabs(receiver) < 1; /* others reach over many maps, and take long */
-        fixture->sun = (struct optics_sun){elevation, 35 * (i % 5), disc ? 0.2665 + i % 5 : 0};
+        fixture->sun = (struct optics_sun){
+            .elevation = elevation, .azimuth = 35 * (i % 5), .angular_radius = disc ? 0.2665 + i % 5 : 0};
         fixture->receivers[0] = receiver;
         fixture->medium.dispersion = i % 7 ? 0 : 0.1;
         make_flat(fixture, meshes[i % 3], true, 0);
@@ -47,7 +48,7 @@ static void bounded_flat_water_gives_one_where_its_light_falls(void **state)
     const int side = 40;
     for (int i = 0; i < 8; i++) {
         double receiver = i & 1 ? 0.4 : -0.9, radius = i & 2 ? 0.5 : 0, shift, blur;
-        fixture->sun = (struct optics_sun){50, i & 4 ? 90 : 0, radius};
+        fixture->sun = (struct optics_sun){.elevation = 50, .azimuth = i & 4 ? 90 : 0, .angular_radius = radius};
         fixture->receivers[0] = receiver;
         make_flat(fixture, 25, false, 0);
         trace(fixture, side, 1);
@@ -92,7 +93,11 @@ static void without_refraction_light_is_even(void **state)
     fixture->medium = (struct water_medium){.ior = 1};
     for (int i = 0; i < 6; i++) {
         make_random(fixture, 50 + (uint64_t)i, 4, 0.2, 128, true);
-        fixture->sun = (struct optics_sun){i % 3 == 0 ? 90 : i % 3 == 1 ? 60 : 40, 20 * i, i < 3 ? 0 : 0.5};
+        fixture->sun = (struct optics_sun){.elevation = i % 3 == 0   ? 90
+                                                        : i % 3 == 1 ? 60
+                                                                     : 40,
+                                           .azimuth = 20 * i,
+                                           .angular_radius = i < 3 ? 0 : 0.5};
         fixture->receivers[0] = -1;
         trace(fixture, 32, 1);
         double worst = 0;
@@ -110,7 +115,7 @@ static void without_refraction_light_is_even(void **state)
 static void absorption_acts_on_each_colour(void **state)
 {
     struct fixture *fixture = *state;
-    fixture->sun = (struct optics_sun){40, 10, 0};
+    fixture->sun = (struct optics_sun){.elevation = 40, .azimuth = 10, .angular_radius = 0};
     make_flat(fixture, MESH, true, 0.2);
     trace(fixture, 30, 1);
     double down = cos(asin(cos(40 * M_PI / 180) / 1.333));
@@ -135,9 +140,11 @@ static void nothing_is_ever_infinite_or_endless(void **state)
             i & 16 && !(i & 1) && receiver < 0 && receiver > -1; /* wider discs need more memory than there is */
         make_waves(fixture, waves, 2, i % 3 == 0 ? 2 : MESH, i & 4);
         fixture->surface.size = i % 5 || disc ? SIZE : 0.01;
-        fixture->sun = (struct optics_sun){i & 8 ? 1 : 5 + 85 * (i & 1), 10 * (i % 18), disc ? 10 : 0};
+        fixture->sun = (struct optics_sun){
+            .elevation = i & 8 ? 1 : 5 + 85 * (i & 1), .azimuth = 10 * (i % 18), .angular_radius = disc ? 10 : 0};
         fixture->receivers[0] = receiver;
-        fixture->medium = (struct water_medium){0, i & 32 ? 1 : 3, i & 32 ? 0 : 0.5, {0, 0.05, 0.3}};
+        fixture->medium =
+            (struct water_medium){.ior = i & 32 ? 1 : 3, .dispersion = i & 32 ? 0 : 0.5, .absorption = {0, 0.05, 0.3}};
         clock_t start = clock();
         trace(fixture, i % 7 == 0 ? 1 : 24, 1);
         double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;

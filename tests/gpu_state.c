@@ -76,7 +76,7 @@ static void disturb(struct fixture *fixture)
     gl->GenRenderbuffers(1, &renderbuffer);
     gl->BindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
     gl->BindFramebuffer(GL_FRAMEBUFFER, fixture->framebuffer);
-    for (GLenum unit = 0; unit < 8; unit++) {
+    for (GLenum unit = 0; unit < 16; unit++) {
         gl->ActiveTexture(GL_TEXTURE0 + unit);
         gl->BindTexture(GL_TEXTURE_2D, fixture->texture);
         gl->BindTexture(GL_TEXTURE_2D_ARRAY, fixture->array);

@@ -283,8 +283,8 @@ static void check_choppy(struct dpl_gl *gl, int variant, int mesh)
     struct gpu_texture texture = {0};
     struct light_map map = {0};
     const struct ray_window window = {-2, -2, 4};
-    const struct optics_sun sun = {70, 25, 0};
-    const struct water_medium medium = {0, 1.333, 0, {0.35, 0.07, 0.03}};
+    const struct optics_sun sun = {.elevation = 70, .azimuth = 25, .angular_radius = 0};
+    const struct water_medium medium = {.ior = 1.333, .dispersion = 0, .absorption = {0.35, 0.07, 0.03}};
     const struct water_setup setup = {.size = 4};
     const double receiver = -1;
     void *states[2] = {calloc(1, light_wavefront.state_size), calloc(1, light_wavefront.state_size)};

@@ -181,7 +181,7 @@ static void the_sun_stands_where_it_is_said(void **state)
                                       {1, 45, 0.7069991, 0.0174524, 0.7069991}};
     (void)state;
     for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
-        struct optics_sun sun = {table[i][0], table[i][1], 0.2665};
+        struct optics_sun sun = {.elevation = table[i][0], .azimuth = table[i][1], .angular_radius = 0.2665};
         double out[3];
         optics_sun_direction(&sun, out);
         for (int c = 0; c < 3; c++)
@@ -192,7 +192,7 @@ static void the_sun_stands_where_it_is_said(void **state)
 /* A disc of even irradiance: mean at the middle, variance radius²/4 both ways, edge at the angular radius. */
 static void the_disc_is_round_and_even(void **state)
 {
-    const struct optics_sun sun = {37, 200, 5};
+    const struct optics_sun sun = {.elevation = 37, .azimuth = 200, .angular_radius = 5};
     const struct optics_disc disc = optics_sun_disc(&sun);
     const double radius = sin(5 * degree);
     double sum[3] = {0}, across = 0, up = 0;

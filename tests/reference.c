@@ -22,7 +22,8 @@ static void flat_water_gives_one_everywhere(void **state)
     memcpy(fixture->receivers, receivers, sizeof receivers);
     fixture->task.receiver_count = 5;
     for (int i = 0; i < 8; i++) {
-        fixture->sun = (struct optics_sun){elevations[i % 4], 30 + 70 * i, i < 4 ? 0.2665 : 0};
+        fixture->sun = (struct optics_sun){
+            .elevation = elevations[i % 4], .azimuth = 30 + 70 * i, .angular_radius = i < 4 ? 0.2665 : 0};
         fixture->medium.dispersion = i % 2 ? 0.1 : 0;
         trace(fixture, 100);
         for (int r = 0; r < 5; r++)
@@ -90,7 +91,7 @@ static void bounded_water_has_edges(void **state)
     static const struct water_model bounded = {.name = "bounded", .shape = bounded_shape, .sample = sample_flat};
     struct fixture *fixture = *state;
     fixture->task.model = &bounded;
-    fixture->sun = (struct optics_sun){45, 0, 0};
+    fixture->sun = (struct optics_sun){.elevation = 45, .azimuth = 0, .angular_radius = 0};
     fixture->receivers[0] = -0.8; /* shifts by 0.501 m: 4 of 16 texels */
     trace(fixture, 50);
     photons_read(&fixture->photons, 0, fixture->map);
@@ -107,7 +108,7 @@ static void a_window_follows_the_light(void **state)
     const struct ray_window window = {-SIZE - 0.8 * tan(asin(cos(M_PI / 4) / 1.333)), -SIZE, 2 * SIZE};
     fixture->task.model = &bounded;
     fixture->task.windows = &window;
-    fixture->sun = (struct optics_sun){45, 0, 0};
+    fixture->sun = (struct optics_sun){.elevation = 45, .azimuth = 0, .angular_radius = 0};
     fixture->receivers[0] = -0.8;
     trace(fixture, 100);
     photons_read(&fixture->photons, 0, fixture->map);
@@ -130,7 +131,7 @@ static void water_beyond_its_receiver_lights_it_straight(void **state)
     static const struct water_model low = {.name = "low", .shape = bounded_shape, .sample = sample_low};
     struct fixture *fixture = *state;
     fixture->task.model = &low;
-    fixture->sun = (struct optics_sun){45, 20, 0};
+    fixture->sun = (struct optics_sun){.elevation = 45, .azimuth = 20, .angular_radius = 0};
     fixture->medium = (struct water_medium){.ior = 1.333};
     fixture->receivers[0] = -0.3;
     trace(fixture, 3);
@@ -150,8 +151,9 @@ static void nothing_is_ever_infinite(void **state)
     for (int i = 0; i < 16; i++) {
         fixture->waves[0] = (struct wave){{3, 1}, i & 1 ? 100 : 0.1, 0, 0, 0};
         fixture->waves[1] = (struct wave){{256, -256}, i & 1 ? 1 : 0.01, 0, 0, 0};
-        fixture->sun = (struct optics_sun){i & 2 ? 1 : 90, 0, i & 4 ? 10 : 0};
-        fixture->medium = (struct water_medium){0, 1 + (i & 8) / 4.0, i & 1 ? 0.5 : 0, {0, 1, 100}};
+        fixture->sun = (struct optics_sun){.elevation = i & 2 ? 1 : 90, .azimuth = 0, .angular_radius = i & 4 ? 10 : 0};
+        fixture->medium =
+            (struct water_medium){.ior = 1 + (i & 8) / 4.0, .dispersion = i & 1 ? 0.5 : 0, .absorption = {0, 1, 100}};
         trace(fixture, 2);
         for (int r = 0; r < 6; r++)
             for (int c = 0; c < 3; c++)

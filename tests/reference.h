@@ -26,8 +26,8 @@ static inline int setup(void **state)
 {
     struct fixture *fixture = calloc(1, sizeof *fixture);
     fixture->setup = (struct water_setup){.size = SIZE, .depth = 1, .waves = fixture->waves};
-    fixture->sun = (struct optics_sun){60, 30, 0.2665};
-    fixture->medium = (struct water_medium){0, 1.333, 0, {0.35, 0.07, 0.03}};
+    fixture->sun = (struct optics_sun){.elevation = 60, .azimuth = 30, .angular_radius = 0.2665};
+    fixture->medium = (struct water_medium){.ior = 1.333, .dispersion = 0, .absorption = {0.35, 0.07, 0.03}};
     fixture->receivers[0] = -1;
     fixture->task = (struct photons_task){.model = water_models[0],
                                           .setup = &fixture->setup,

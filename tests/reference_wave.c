@@ -43,7 +43,11 @@ static void a_plane_wave_gives_the_sum_over_its_folds(void **state)
     fixture->task.receiver_count = 5;
     fixture->task.side = 32;
     for (int i = 0; i < 6; i++) {
-        fixture->sun = (struct optics_sun){i % 3 == 0 ? 90 : i % 3 == 1 ? 50 : 40, i % 3 == 1 ? 0 : 200, i < 3 ? 0 : 1};
+        fixture->sun = (struct optics_sun){.elevation = i % 3 == 0   ? 90
+                                                        : i % 3 == 1 ? 50
+                                                                     : 40,
+                                           .azimuth = i % 3 == 1 ? 0 : 200,
+                                           .angular_radius = i < 3 ? 0 : 1};
         fixture->medium.dispersion = i % 3 == 2 ? 0.2 : 0;
         trace(fixture, 80);
         expect_columns(fixture, 0.02);
@@ -87,7 +91,7 @@ static void a_map_has_the_mean_of_its_rays_weights(void **state)
     fixture->setup.wave_count = 3;
     fixture->task.side = 32;
     for (int i = 0; i < 3; i++) {
-        fixture->sun = (struct optics_sun){elevations[i], 100 * i, 0};
+        fixture->sun = (struct optics_sun){.elevation = elevations[i], .azimuth = 100 * i, .angular_radius = 0};
         trace(fixture, 100);
         for (int c = 0; c < 3; c++) {
             double mean = read_mean(fixture, 0, c), wanted = mean_weight(fixture, -1, c);
@@ -117,7 +121,7 @@ static void a_crest_is_a_lens_of_known_focal_length(void **state)
     double brightest = 0, at = 0;
     fixture->waves[0] = (struct wave){{1, 0}, amplitude, 0, 0, 0};
     fixture->setup.wave_count = 1;
-    fixture->sun = (struct optics_sun){90, 0, 0};
+    fixture->sun = (struct optics_sun){.elevation = 90, .azimuth = 0, .angular_radius = 0};
     fixture->medium = (struct water_medium){.ior = n};
     fixture->task.receiver_count = 9;
     fixture->task.side = 63; /* a texel in the very middle */
@@ -152,7 +156,7 @@ static void light_goes_away_from_the_sun(void **state)
         double angle = azimuth * M_PI / 180, up = 40 * M_PI / 180, crest = 0.05;
         fixture->waves[0] = (struct wave){{1, 0}, crest, 0, 0, 0};
         fixture->waves[1] = (struct wave){{0, 1}, crest, 0, 0, 0};
-        fixture->sun = (struct optics_sun){40, azimuth, 0}; /* = up */
+        fixture->sun = (struct optics_sun){.elevation = 40, .azimuth = azimuth, .angular_radius = 0}; /* = up */
         trace(fixture, 30);
         for (int r = 0; r < 2; r++) {
             /* a trough gathers what is thrown back: half a tile away */
@@ -178,7 +182,7 @@ static void blue_is_bent_more_than_red(void **state)
     int red[2], blue[2];
     fixture->waves[0] = (struct wave){{1, 0}, 0.05, 0, 0, 0};
     fixture->setup.wave_count = 1;
-    fixture->sun = (struct optics_sun){40, 0, 0};
+    fixture->sun = (struct optics_sun){.elevation = 40, .azimuth = 0, .angular_radius = 0};
     fixture->medium = (struct water_medium){.ior = 1.4, .dispersion = 0.3};
     fixture->task.side = 64;
     trace(fixture, 20);

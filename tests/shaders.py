@@ -2,7 +2,7 @@
 """shaders.py PROGRAM SOURCE [FOLDER]: compiles and links every shader in every dialect with glslangValidator.
 
 PROGRAM writes the text of a stage (shader_source.c), from what the library was built with or from FOLDER. The shaders
-are the .glsl files below SOURCE that no other one includes.
+are the .glsl files below SOURCE that no other one includes; those in optics/ are formulas, never a whole shader.
 """
 import re
 import subprocess
@@ -18,7 +18,7 @@ COMPUTING = {"compute": "comp"}
 def top_level(source: Path) -> list[str]:
     texts = {str(file.relative_to(source)): file.read_text() for file in sorted(source.rglob("*.glsl"))}
     included = {name for text in texts.values() for name in re.findall(r'^#include "([^"]+)"', text, re.MULTILINE)}
-    return [name for name in texts if name not in included]
+    return [name for name in texts if name not in included and not name.startswith("optics/")]
 
 
 def kinds(text: str) -> list[tuple[str, dict[str, str]]]:

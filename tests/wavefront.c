@@ -27,8 +27,8 @@ static int setup(void **state)
 {
     struct fixture *fixture = calloc(1, sizeof *fixture);
     support_log_start(&fixture->log);
-    fixture->sun = (struct optics_sun){60, 30, 0};
-    fixture->medium = (struct water_medium){0, 1.333, 0, {0.35, 0.07, 0.03}};
+    fixture->sun = (struct optics_sun){.elevation = 60, .azimuth = 30, .angular_radius = 0};
+    fixture->medium = (struct water_medium){.ior = 1.333, .dispersion = 0, .absorption = {0.35, 0.07, 0.03}};
     fixture->window = (struct ray_window){-SIZE / 2, -SIZE / 2, SIZE};
     fixture->receiver = -1;
     param_defaults(light_wavefront.params, &fixture->params);

@@ -129,18 +129,24 @@ static void list_section(const struct dpl_section *section, const struct options
         putchar('\n');
 }
 
+/* A wave or an object comes into being, with defaults, when one of its values is set. */
+static bool make_present(struct dpl_scene *scene, const char *key)
+{
+    char value[TEXT_SIZE];
+    return dpl_scene_get(scene, key, value, sizeof value) && dpl_scene_set(scene, key, value);
+}
+
 static bool list_params(const struct options *options, struct program_log *log)
 {
     struct json json = {.stream = stdout};
-    char phase[TEXT_SIZE];
     struct dpl_scene *scene = dpl_scene_create(&log->log);
-    /* A wave comes into being, with defaults, when one of its values is set. */
-    bool ok = scene && dpl_scene_get(scene, "wave.1.phase", phase, sizeof phase) &&
-              dpl_scene_set(scene, "wave.1.phase", phase);
+    bool ok = scene && make_present(scene, "wave.1.phase") && make_present(scene, "object.NAME.seed");
     bool as_json = ok && options->json;
     if (ok && options->markdown)
         puts("# Values of a scene\n\nIn a scene file: `key = value` below `[section]`. On the command line: "
-             "`--set section.key=value`.\nWaves are `[wave.1]`, `[wave.2]` and so on.");
+             "`--set section.key=value`.\nWaves are `[wave.1]`, `[wave.2]` and so on; NAME is any word of letters, "
+             "digits "
+             "and `-`.");
     if (as_json) {
         json_open(&json, NULL, '{');
         json_open(&json, "params", '[');

@@ -7,7 +7,7 @@
  * state in which OpenGL starts, and leaves it so, with these exceptions:
  *   - the viewport may be anything before and is the one drawn to last after;
  *   - bindings of the framebuffer (draw and read), the vertex array, the array buffer, the program, the active
- *     texture unit, textures of units 0 to 7, the renderbuffer and shader storage buffer 0 may be anything
+ *     texture unit, textures of units 0 to 15, the renderbuffer and shader storage buffer 0 may be anything
  *     before and are 0 (unit 0) after, except the framebuffer handed to dpl_renderer_draw(), which stays bound for
  *     drawing and reading;
  *   - the clear colour, the blend function and the scissor box may be anything before and after;

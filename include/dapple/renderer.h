@@ -63,9 +63,18 @@ DPL_API double dpl_renderer_noise(const struct dpl_renderer *renderer);
 DPL_API bool dpl_renderer_draw(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time,
                                unsigned framebuffer, int width, int height);
 
-/* The same into a new image: displayable values 0 to 1. Returns NULL on failure; the caller destroys the image. */
+/* The same into a new image: displayable values 0 to 1. Any size up to DPL_IMAGE_SIDE_MAX: what the device cannot draw
+ * at once is drawn in tiles. Returns NULL on failure; the caller destroys the image. */
 DPL_API struct dpl_image *dpl_renderer_picture(struct dpl_renderer *renderer, const struct dpl_scene *scene,
                                                double time, int width, int height);
+
+/* Calls `drawn` after each tile of a picture that has several. It may use OpenGL, but not the renderer. NULL: none. */
+DPL_API void dpl_renderer_tiles(struct dpl_renderer *renderer, void (*drawn)(void *user, int done, int tiles),
+                                void *user);
+
+/* Whether pictures follow the path of the scene's camera, where it has one (dpl_scene_view()), as they do at first; or
+ * show what [camera] itself sees. */
+DPL_API void dpl_renderer_path(struct dpl_renderer *renderer, bool follows);
 
 /* Has a drop fall into the water of the next frame, where its model can be disturbed (`ripples`): the surface moves by
  * `height` metres (up, or down where it is negative) at (x, z), and less and less up to `radius` metres around. False

@@ -43,15 +43,25 @@ DPL_API bool dpl_scene_load(struct dpl_scene *scene, const char *path_or_name);
 /* The same from `length` bytes of text; `name` stands for the file in messages. */
 DPL_API bool dpl_scene_read(struct dpl_scene *scene, const char *name, const char *text, size_t length);
 
-/* Sets one value, checked as in scene text. `wave.N` and `object.NAME` come into being when one of their keys is set; N
- * is 1 to 64, NAME a word of letters, digits and `-`; there may be 64 objects. */
+/* Sets one value, checked as in scene text. `wave.N`, `camera.N` and `object.NAME` come into being when one of their
+ * keys is set; N is 1 to 64, and 1 to 16; NAME is a word of letters, digits and `-`, and there may be 64 objects. */
 DPL_API bool dpl_scene_set(struct dpl_scene *scene, const char *key, const char *value);
+
+/* Takes away a section that came into being so, "wave.3". Where it is not there, nothing happens. */
+DPL_API bool dpl_scene_remove(struct dpl_scene *scene, const char *section);
 
 /* Writes one value as text. False (logged) where the key is unknown or `size` is too small. */
 DPL_API bool dpl_scene_get(const struct dpl_scene *scene, const char *key, char *value, size_t size);
 
 /* Writes the whole scene as text that dpl_scene_load() reads back to the same scene; whole or not at all. */
 DPL_API bool dpl_scene_save(const struct dpl_scene *scene, const char *path);
+
+/* The view at a time: that of [camera], or where two or more keys [camera.N] make a path, the place on it. */
+struct dpl_view {
+    double position[3], target[3]; /* m */
+    double field_of_view;          /* degrees, of the picture's height */
+};
+DPL_API struct dpl_view dpl_scene_view(const struct dpl_scene *scene, double time);
 
 /* The scene's sections, one at a time; NULL-named past the last. */
 DPL_API struct dpl_section dpl_scene_section(const struct dpl_scene *scene, int index);

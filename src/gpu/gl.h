@@ -39,8 +39,10 @@
     X(PFNGLDISABLEPROC, Disable)                                                                                       \
     X(PFNGLDRAWARRAYSPROC, DrawArrays)                                                                                 \
     X(PFNGLDRAWARRAYSINSTANCEDPROC, DrawArraysInstanced)                                                               \
+    X(PFNGLDRAWBUFFERSPROC, DrawBuffers)                                                                               \
     X(PFNGLDRAWELEMENTSPROC, DrawElements)                                                                             \
     X(PFNGLENABLEPROC, Enable)                                                                                         \
+    X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray)                                                       \
     X(PFNGLENDQUERYPROC, EndQuery)                                                                                     \
     X(PFNGLFINISHPROC, Finish)                                                                                         \
     X(PFNGLFRAMEBUFFERRENDERBUFFERPROC, FramebufferRenderbuffer)                                                       \
@@ -76,14 +78,16 @@
     X(PFNGLUNIFORM1FPROC, Uniform1f)                                                                                   \
     X(PFNGLUNIFORM1IPROC, Uniform1i)                                                                                   \
     X(PFNGLUNIFORM2FPROC, Uniform2f)                                                                                   \
+    X(PFNGLUNIFORM2IPROC, Uniform2i)                                                                                   \
     X(PFNGLUNIFORM3FPROC, Uniform3f)                                                                                   \
     X(PFNGLUNIFORM4FVPROC, Uniform4fv)                                                                                 \
     X(PFNGLUNIFORMMATRIX4FVPROC, UniformMatrix4fv)                                                                     \
     X(PFNGLUSEPROGRAMPROC, UseProgram)                                                                                 \
+    X(PFNGLVERTEXATTRIBPOINTERPROC, VertexAttribPointer)                                                               \
     X(PFNGLVIEWPORTPROC, Viewport)
 
 #define GPU_FALLBACKS_MAX 8
-#define GPU_TEXTURE_UNITS 8 /* that dapple binds textures to */
+#define GPU_TEXTURE_UNITS 16 /* that dapple binds textures to */
 
 struct dpl_gl {
 #define GPU_MEMBER(type, name) type name;

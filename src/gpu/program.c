@@ -231,6 +231,16 @@ void program_float(struct dpl_gl *gl, const struct gpu_program *program, const c
     gl->Uniform1f(gl->GetUniformLocation(program->name, name), (GLfloat)value);
 }
 
+void program_ivec2(struct dpl_gl *gl, const struct gpu_program *program, const char *name, int x, int y)
+{
+    gl->Uniform2i(gl->GetUniformLocation(program->name, name), x, y);
+}
+
+void program_vec2(struct dpl_gl *gl, const struct gpu_program *program, const char *name, double x, double y)
+{
+    gl->Uniform2f(gl->GetUniformLocation(program->name, name), (GLfloat)x, (GLfloat)y);
+}
+
 void program_vec3(struct dpl_gl *gl, const struct gpu_program *program, const char *name, const double value[3])
 {
     gl->Uniform3f(gl->GetUniformLocation(program->name, name), (GLfloat)value[0], (GLfloat)value[1], (GLfloat)value[2]);

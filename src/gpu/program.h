@@ -46,6 +46,8 @@ void program_use(struct dpl_gl *gl, const struct gpu_program *program);
 /* Uniforms of the program in use, by name; a name that the compiler dropped is ignored. */
 void program_int(struct dpl_gl *gl, const struct gpu_program *program, const char *name, int value);
 void program_float(struct dpl_gl *gl, const struct gpu_program *program, const char *name, double value);
+void program_ivec2(struct dpl_gl *gl, const struct gpu_program *program, const char *name, int x, int y);
+void program_vec2(struct dpl_gl *gl, const struct gpu_program *program, const char *name, double x, double y);
 void program_vec3(struct dpl_gl *gl, const struct gpu_program *program, const char *name, const double value[3]);
 void program_vec4s(struct dpl_gl *gl, const struct gpu_program *program, const char *name, int count,
                    const float *values);

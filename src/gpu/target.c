@@ -13,7 +13,7 @@ static void resize_renderbuffer(struct dpl_gl *gl, GLuint *name, GLenum format, 
     gl->FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, *name);
 }
 
-bool target_resize(struct dpl_gl *gl, struct gpu_target *target, int width, int height, int sample_count)
+bool target_resize(struct dpl_gl *gl, struct gpu_target *target, GLenum format, int width, int height, int sample_count)
 {
     if (sample_count > gl->info.samples_max)
         sample_count = gl->info.samples_max;
@@ -26,13 +26,13 @@ bool target_resize(struct dpl_gl *gl, struct gpu_target *target, int width, int 
     target->width = width;
     target->height = height;
     target->sample_count = sample_count;
-    texture_resize(gl, &target->color, GL_RGBA8, width, height, TEXTURE_CLAMP, TEXTURE_NEAREST);
+    texture_resize(gl, &target->color, format, width, height, TEXTURE_CLAMP, TEXTURE_NEAREST);
     texture_draw_to(gl, &target->color);
     if (!target->framebuffer)
         gl->GenFramebuffers(1, &target->framebuffer);
     gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
     if (sample_count > 1)
-        resize_renderbuffer(gl, &target->samples, GL_RGBA8, target, GL_COLOR_ATTACHMENT0);
+        resize_renderbuffer(gl, &target->samples, format, target, GL_COLOR_ATTACHMENT0);
     else
         gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target->color.name, 0);
     resize_renderbuffer(gl, &target->depth, GL_DEPTH_COMPONENT24, target, GL_DEPTH_ATTACHMENT);
@@ -74,23 +74,10 @@ bool target_copy(struct dpl_gl *gl, struct gpu_target *target, GLuint framebuffe
     return true;
 }
 
-/* Bytes, bottom row first, to floats, top row first. */
-static void bytes_to_image(const unsigned char *bytes, struct dpl_image *image)
-{
-    for (int y = 0; y < image->height; y++) {
-        const unsigned char *row = bytes + (size_t)(image->height - 1 - y) * (size_t)image->width * 4;
-        float *out = image->pixels + (size_t)y * (size_t)image->width * 3;
-        for (int x = 0; x < image->width; x++)
-            for (int c = 0; c < 3; c++)
-                out[x * 3 + c] = (float)row[x * 4 + c] / 255.0f;
-    }
-}
-
-void target_read(struct dpl_gl *gl, struct gpu_target *target, unsigned char *bytes, struct dpl_image *image)
+void target_read(struct dpl_gl *gl, struct gpu_target *target, unsigned char *bytes)
 {
     gl->BindFramebuffer(GL_FRAMEBUFFER, target->color.framebuffer);
     gl->ReadPixels(0, 0, target->width, target->height, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
-    bytes_to_image(bytes, image);
 }
 
 void target_finish(struct dpl_gl *gl, struct gpu_target *target)

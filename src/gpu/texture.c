@@ -8,9 +8,15 @@ struct pixel_format {
 };
 
 static const struct pixel_format formats[] = {
-    {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE}, {GL_R16F, GL_RED, GL_FLOAT}, {GL_RGB16F, GL_RGB, GL_FLOAT},
-    {GL_RGBA16F, GL_RGBA, GL_FLOAT},       {GL_R32F, GL_RED, GL_FLOAT}, {GL_RGB32F, GL_RGB, GL_FLOAT},
-    {GL_RGBA32F, GL_RGBA, GL_FLOAT},       {GL_RG32F, GL_RG, GL_FLOAT},
+    {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE},
+    {GL_R16F, GL_RED, GL_FLOAT},
+    {GL_RGB16F, GL_RGB, GL_FLOAT},
+    {GL_RGBA16F, GL_RGBA, GL_FLOAT},
+    {GL_R32F, GL_RED, GL_FLOAT},
+    {GL_RGB32F, GL_RGB, GL_FLOAT},
+    {GL_RGBA32F, GL_RGBA, GL_FLOAT},
+    {GL_RG32F, GL_RG, GL_FLOAT},
+    {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT},
 };
 
 static const struct pixel_format *find_format(GLenum sized)

@@ -65,6 +65,15 @@ void timer_pass(struct gpu_timer *timer, const char *name)
     frame->count++;
 }
 
+struct dpl_pass_time timer_time(const struct gpu_timer *timer, int index)
+{
+    const struct dpl_pass_time *times = timer->times;
+    for (int i = 0; i < index && times[i].name; i++)
+        if (!times[i + 1].name)
+            return (struct dpl_pass_time){0};
+    return times[index];
+}
+
 void timer_finish(struct gpu_timer *timer)
 {
     for (int i = 0; timer->gl && i < TIMER_FRAMES; i++)

@@ -28,6 +28,9 @@ void timer_frame(struct gpu_timer *timer);
 /* Ends the pass under way and starts the one of that name (kept by pointer); NULL only ends. */
 void timer_pass(struct gpu_timer *timer, const char *name);
 
+/* The index-th pass of the last frame that was timed; NULL-named past the last. */
+struct dpl_pass_time timer_time(const struct gpu_timer *timer, int index);
+
 void timer_finish(struct gpu_timer *timer);
 
 #endif

@@ -38,6 +38,7 @@ static bool trace_color(struct state *state, const struct light_input *input, do
                         struct light_map *map)
 {
     bool upwards = input->receivers[0] > 0;
+    struct optics_water water = water_optics(input->medium);
     double sun[3];
     optics_sun_direction(input->sun, sun);
     struct coverage_flat flat = coverage_flat_water(sun, ior, upwards);
@@ -54,8 +55,8 @@ static bool trace_color(struct state *state, const struct light_input *input, do
             return false;
         struct light_map small = state->small;
         small.side = state->plan.side;
-        if (!coverage_cells_place(&state->cells, &state->rays, input->surface, &flat, input->medium->absorption,
-                                  &receiver, &state->plan.kinds, input->log) ||
+        if (!coverage_cells_place(&state->cells, &state->rays, input->surface, &flat, water.absorption, &receiver,
+                                  &state->plan.kinds, input->log) ||
             !coverage_bands_trace(&state->bands, &state->cells, &state->plan, color, whole ? map : &small,
                                   whole ? slice : 0, input->log))
             return false;

@@ -247,8 +247,9 @@ static struct receiver find_receiver(const struct dpl_gl *gl, const struct light
             receiver.offset[i] = fmod(receiver.offset[i], receiver.side);
         receiver.offset[i] = fmin(fmax(receiver.offset[i], -outside), outside);
     }
+    struct optics_water optics = water_optics(input->medium);
     for (int c = 0; c < 3 && !is_upwards(input); c++)
-        receiver.absorption[c] = input->medium->absorption[c];
+        receiver.absorption[c] = optics.absorption[c];
     return receiver;
 }
 

@@ -52,6 +52,11 @@ const struct dpl_param light_settings_params[] = {
         struct light_settings, ceiling, 0, 0, 1000, "m",
         "height above the water of a ceiling whose reflected light is mapped in place of the floor's (pictures then "
         "show it on the floor); 0 = the floor"),
+    PARAM_INT(struct light_settings, reflected_slices, 0, 0, LIGHT_SLICES_MAX, "",
+              "beside those: maps of reflected light, for what stands above the water, at even steps up to "
+              "reflected_height (look = physical)"),
+    PARAM_FLOAT(struct light_settings, reflected_height, 3, 0.01, 1000, "m",
+                "height above the water of the highest map of reflected light"),
     PARAM_FLOAT(struct light_settings, depth_bias, 0.6, 0, 10, "m",
                 "added to the depth by techniques that are tuned by eye (multi-sample)"),
     PARAM_INT(struct light_settings, blur, 0, 0, 5, "texels", "box blur of the finished map: mean of (2 blur)² texels"),

@@ -23,14 +23,16 @@
 /* Section [caustics]: what every technique may need to know. */
 enum light_window { LIGHT_WINDOW_TILE, LIGHT_WINDOW_LIGHT };
 struct light_settings {
-    int technique;     /* index into light_techniques */
-    int map, mesh;     /* texels, vertices a side */
-    double error;      /* per cent, wanted */
-    int window;        /* enum light_window */
-    double margin;     /* sides of the tile */
-    int slices;        /* receivers below the surface */
-    double ceiling;    /* m above the rest surface, of a receiver there; 0: none */
-    double depth_bias; /* m */
+    int technique;           /* index into light_techniques */
+    int map, mesh;           /* texels, vertices a side */
+    double error;            /* per cent, wanted */
+    int window;              /* enum light_window */
+    double margin;           /* sides of the tile */
+    int slices;              /* receivers below the surface */
+    double ceiling;          /* m above the rest surface, of a receiver there; 0: none */
+    int reflected_slices;    /* receivers above the surface, beside those below it */
+    double reflected_height; /* m above the rest surface, of the highest of them */
+    double depth_bias;       /* m */
     int blur;
 };
 extern const struct dpl_param light_settings_params[];

@@ -21,17 +21,32 @@ void map_texture_resize(struct dpl_gl *gl, struct gpu_texture *map, int side, in
                          levels ? TEXTURE_MIPMAP : TEXTURE_LINEAR);
 }
 
-void map_texture_bind(struct dpl_gl *gl, const struct gpu_texture *map, const struct ray_window *windows, double size,
-                      const struct gpu_program *program, int unit)
+/* Names of the uniforms: texture, window, step. */
+static void bind(struct dpl_gl *gl, const struct gpu_texture *map, const struct ray_window *windows, double size,
+                 const struct gpu_program *program, int unit, const char *const names[3])
 {
     const struct ray_window *first = windows, *next = windows + (map->layers > 1);
     const double in_tiles[3] = {first->x / size + 0.5, first->z / size + 0.5, first->side / size};
     const double step[3] = {(next->x - first->x) / size, (next->z - first->z) / size, 0};
-    program_vec3(gl, program, "light_window", in_tiles);
-    program_vec3(gl, program, "light_step", step);
     texture_bind(gl, map, (GLenum)unit);
-    program_int(gl, program, "light_texels", unit);
+    program_int(gl, program, names[0], unit);
+    program_vec3(gl, program, names[1], in_tiles);
+    program_vec3(gl, program, names[2], step);
+}
+
+void map_texture_bind(struct dpl_gl *gl, const struct gpu_texture *map, const struct ray_window *windows, double size,
+                      const struct gpu_program *program, int unit)
+{
+    static const char *const names[] = {"light_texels", "light_window", "light_step"};
+    bind(gl, map, windows, size, program, unit, names);
     program_int(gl, program, "light_channels", map_texture_channels(map));
+}
+
+void map_texture_bind_reflected(struct dpl_gl *gl, const struct gpu_texture *map, const struct ray_window *windows,
+                                double size, const struct gpu_program *program, int unit)
+{
+    static const char *const names[] = {"reflected_texels", "reflected_window", "reflected_step"};
+    bind(gl, map, windows, size, program, unit, names);
 }
 
 struct dpl_image *map_texture_read(struct dpl_gl *gl, struct gpu_texture *map, int slice)

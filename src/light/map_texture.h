@@ -20,6 +20,10 @@ void map_texture_resize(struct dpl_gl *gl, struct gpu_texture *map, int side, in
 void map_texture_bind(struct dpl_gl *gl, const struct gpu_texture *map, const struct ray_window *windows, double size,
                       const struct gpu_program *program, int unit);
 
+/* The same for maps of light thrown back: the uniforms of render/receiver.glsl. */
+void map_texture_bind_reflected(struct dpl_gl *gl, const struct gpu_texture *map, const struct ray_window *windows,
+                                double size, const struct gpu_program *program, int unit);
+
 /* Channels that hold something: 1 or 3. */
 int map_texture_channels(const struct gpu_texture *map);
 

@@ -72,8 +72,9 @@ struct wavefront_receiver wavefront_receiver_find(const struct light_input *inpu
             offset -= floor(offset / receiver.period) * receiver.period;
         receiver.offset[axis] = fmin(fmax(offset, -farthest), farthest);
     }
+    struct optics_water water = water_optics(input->medium);
     for (int c = 0; c < 3 && height < 0; c++)
-        receiver.absorption[c] = input->medium->absorption[c];
+        receiver.absorption[c] = water.absorption[c];
     return receiver;
 }
 

@@ -48,8 +48,9 @@ uint64_t photons_fingerprint(const struct photons_task *task)
     value = hash_params(value, optics_sun_params, task->sun);
     value = hash_number(value, task->medium->ior);
     value = hash_number(value, task->medium->dispersion);
+    struct optics_water water = water_optics(task->medium);
     for (int c = 0; c < 3; c++)
-        value = hash_number(value, task->medium->absorption[c]);
+        value = hash_number(value, water.absorption[c]);
     for (int r = 0; r < task->receiver_count; r++)
         value = hash_number(value, task->receivers[r]);
     for (int r = 0; r < task->receiver_count && task->windows; r++)

@@ -29,10 +29,11 @@ static void turn(enum ray_kind kind, const double to_light[3], const double norm
 void ray_medium_start(struct ray_medium *rays, const struct water_medium *medium, const struct optics_disc *disc)
 {
     static const double up[3] = {0, 1, 0};
+    struct optics_water water = water_optics(medium);
     water_refractive_indices(medium, rays->ior);
     rays->flat_up = disc->middle[1];
     for (int c = 0; c < 3; c++) {
-        rays->absorption[c] = medium->absorption[c];
+        rays->absorption[c] = water.absorption[c];
         for (int kind = 0; kind < RAY_KINDS; kind++) {
             double direction[3];
             turn((enum ray_kind)kind, disc->middle, up, rays->ior[c], direction);

@@ -18,30 +18,47 @@ static void sight(const struct scene_camera *camera, vec3 position, vec3 directi
     glm_vec3_copy(steep ? (vec3){0, 0, -1} : (vec3){0, 1, 0}, up);
 }
 
-struct camera_rays camera_rays(const struct scene_camera *camera, int width, int height)
+/* The part of the picture along one axis, both ends of which are -1 and 1: its middle and half its length. */
+static void part_of(int start, int length, int whole, double *middle, double *half)
+{
+    *middle = (2.0 * start + length) / whole - 1;
+    *half = (double)length / whole;
+}
+
+struct camera_rays camera_rays(const struct scene_camera *camera, const struct camera_view *view)
 {
     vec3 position, ahead, up, right;
     sight(camera, position, ahead, up);
     glm_vec3_crossn(ahead, up, right);
     glm_vec3_crossn(right, ahead, up);
-    double half = tan(camera->field_of_view * M_PI / 360), wide = half * width / height;
+    double high = tan(camera->field_of_view * M_PI / 360), wide = high * view->width / view->height;
+    double x, y, half_x, half_y;
+    part_of(view->left, view->columns, view->width, &x, &half_x);
+    part_of(view->bottom, view->rows, view->height, &y, &half_y);
     struct camera_rays rays;
     for (int i = 0; i < 3; i++) {
-        rays.ahead[i] = (double)ahead[i];
-        rays.right[i] = (double)right[i] * wide;
-        rays.up[i] = (double)up[i] * half;
+        rays.ahead[i] = (double)ahead[i] + x * wide * (double)right[i] + y * high * (double)up[i];
+        rays.right[i] = (double)right[i] * wide * half_x;
+        rays.up[i] = (double)up[i] * high * half_y;
     }
     return rays;
 }
 
-void camera_matrix(const struct scene_camera *camera, int width, int height, float columns[16])
+void camera_matrix(const struct scene_camera *camera, const struct camera_view *view, float columns[16])
 {
     vec3 position, direction, up;
     sight(camera, position, direction, up);
-    mat4 view, projection, product;
-    glm_look(position, direction, up, view);
-    glm_perspective(glm_rad((float)camera->field_of_view), (float)width / (float)height, (float)camera->near_plane,
-                    (float)camera->far_plane, projection);
-    glm_mat4_mul(projection, view, product);
+    mat4 look, projection, product;
+    double x, y, half_x, half_y;
+    part_of(view->left, view->columns, view->width, &x, &half_x);
+    part_of(view->bottom, view->rows, view->height, &y, &half_y);
+    glm_look(position, direction, up, look);
+    glm_perspective(glm_rad((float)camera->field_of_view), (float)view->width / (float)view->height,
+                    (float)camera->near_plane, (float)camera->far_plane, projection);
+    for (int i = 0; i < 4; i++) { /* the part to -1 … 1, before the division by w */
+        projection[i][0] = (projection[i][0] - (float)x * projection[i][3]) / (float)half_x;
+        projection[i][1] = (projection[i][1] - (float)y * projection[i][3]) / (float)half_y;
+    }
+    glm_mat4_mul(projection, look, product);
     memcpy(columns, product, sizeof product);
 }

@@ -10,6 +10,7 @@ struct task {
     double time;
     const struct light_technique *technique;
     struct lit_map *lit;
+    const struct lit_receivers *receivers;
     int blur;                  /* texels */
     const char *const *passes; /* names, as enum pass */
     bool texture;
@@ -19,6 +20,7 @@ enum pass { PASS_LIGHT, PASS_BLUR, PASS_UPLOAD, PASS_MIPMAPS, PASSES };
 static const char *const passes[LIT_MAPS][PASSES] = {
     {"light", "blur", "upload", "mipmaps"},
     {"other light", "other blur", "other upload", "other mipmaps"},
+    {"reflected light", "reflected blur", "reflected upload", "reflected mipmaps"},
 };
 
 bool lighting_drop(struct lighting *lighting, struct water_drop drop)
@@ -63,7 +65,12 @@ static bool ready_water(struct lighting *lighting, const struct dpl_scene *scene
     setup->drops = lighting->drops;
     setup->drop_count = lighting->drop_count;
     lighting->drop_count = 0;
-    scene_windows(scene, model->shape(setup).periodic, lighting->windows);
+    bool periodic = model->shape(setup).periodic;
+    struct lit_receivers *below = &lighting->below, *above = &lighting->above;
+    below->count = scene_receivers(scene, below->heights);
+    above->count = scene_reflected(scene, above->heights);
+    scene_windows(scene, periodic, below->heights, below->count, below->windows);
+    scene_windows(scene, periodic, above->heights, above->count, above->windows);
     return water_prepare(model, setup, time, lighting->log);
 }
 
@@ -100,7 +107,8 @@ bool lighting_make_surface(struct lighting *lighting, const struct dpl_scene *sc
 
 static void *technique_state(struct lighting *lighting, const struct task *task)
 {
-    void **state = lighting->technique_states + task->lit->technique;
+    bool above = task->receivers == &lighting->above;
+    void **state = lighting->technique_states[above] + task->lit->technique;
     if (!*state)
         *state = base_allocate(lighting->log, 1, task->technique->state_size, task->technique->name);
     return *state;
@@ -117,9 +125,9 @@ static struct light_input light_input(struct lighting *lighting, const struct ta
         .model = model,
         .setup = &lighting->setup,
         .time = task->time,
-        .receivers = lighting->receivers,
-        .slices = scene_receivers(scene, lighting->receivers),
-        .windows = lighting->windows,
+        .receivers = task->receivers->heights,
+        .slices = task->receivers->count,
+        .windows = task->receivers->windows,
         .sun = &scene->sun,
         .medium = &scene->medium,
         .settings = &scene->caustics,
@@ -154,9 +162,8 @@ static void resize_texture(struct lighting *lighting, const struct task *task, s
 {
     const struct dpl_scene *scene = task->scene;
     bool periodic = water_models[scene->medium.model]->shape(&lighting->setup).periodic;
-    double receivers[LIGHT_SLICES_MAX];
-    map_texture_resize(lighting->gl, texture, scene->caustics.map, task->technique->channels,
-                       scene_receivers(scene, receivers), origin, finished, periodic);
+    map_texture_resize(lighting->gl, texture, scene->caustics.map, task->technique->channels, task->receivers->count,
+                       origin, finished, periodic);
 }
 
 static bool draw_light(struct lighting *lighting, const struct task *task)
@@ -221,24 +228,44 @@ const struct surface_gpu *lighting_above(const struct lighting *lighting)
     return lighting->surface_gpu.choppy ? &lighting->flat_gpu : &lighting->surface_gpu;
 }
 
-bool lighting_make(struct lighting *lighting, const struct dpl_scene *scene, double time, int other, bool textures)
+/* The maps to make; returns how many. */
+static int plan(struct lighting *lighting, const struct dpl_scene *scene, double time, int other, bool textures,
+                struct task tasks[LIT_MAPS])
 {
-    const int techniques[LIT_MAPS] = {scene->caustics.technique, other}, count = other < 0 ? 1 : LIT_MAPS;
-    struct task tasks[LIT_MAPS];
-    bool cpu_surface = false, gpu_surface = textures, cpu_flat = false, gpu_flat = textures;
-    bool ok = check_side(lighting, "caustics.map", scene->caustics.map);
-    for (int i = 0; i < count; i++) {
+    const int techniques[LIT_MAPS] = {scene->caustics.technique, other, scene->caustics.technique};
+    const bool wanted[LIT_MAPS] = {true, other >= 0,
+                                   textures && scene->caustics.reflected_slices > 0 &&
+                                       light_techniques[scene->caustics.technique]->reflects};
+    int count = 0;
+    for (int i = 0; i < LIT_MAPS; i++) {
+        struct lit_map *lit = lighting->maps + i;
+        lit->shown = NULL;
+        if (!wanted[i])
+            continue;
         const struct light_technique *technique = light_techniques[techniques[i]];
         /* What a technique is measured against is the truth, and the truth is not blurred. */
         int blur = i == LIT_OTHER && technique->refines ? 0 : scene->caustics.blur;
-        struct lit_map *lit = lighting->maps + i;
+        const struct lit_receivers *receivers = i == LIT_REFLECTED ? &lighting->above : &lighting->below;
         lit->technique = techniques[i];
         lit->on_cpu = light_on_cpu(lighting, technique);
-        tasks[i] = (struct task){scene, time, technique, lit, blur, passes[i], textures};
-        cpu_surface = cpu_surface || (lit->on_cpu && !technique->refines);
-        gpu_surface = gpu_surface || !lit->on_cpu;
-        cpu_flat = cpu_flat || (technique->vertical && lit->on_cpu);
-        gpu_flat = gpu_flat || (technique->vertical && !lit->on_cpu);
+        tasks[count++] = (struct task){scene, time, technique, lit, receivers, blur, passes[i], textures};
+    }
+    return count;
+}
+
+bool lighting_make(struct lighting *lighting, const struct dpl_scene *scene, double time, int other, bool textures)
+{
+    struct task tasks[LIT_MAPS];
+    int count = plan(lighting, scene, time, other, textures, tasks);
+    bool cpu_surface = false, gpu_surface = textures, cpu_flat = false, gpu_flat = textures;
+    bool ok = check_side(lighting, "caustics.map", scene->caustics.map);
+    for (int i = 0; i < count; i++) {
+        const struct light_technique *technique = tasks[i].technique;
+        bool on_cpu = tasks[i].lit->on_cpu;
+        cpu_surface = cpu_surface || (on_cpu && !technique->refines);
+        gpu_surface = gpu_surface || !on_cpu;
+        cpu_flat = cpu_flat || (technique->vertical && on_cpu);
+        gpu_flat = gpu_flat || (technique->vertical && !on_cpu);
         ok = ok && check_technique(lighting, scene, technique);
     }
     ok = ok && make_surface(lighting, scene, time, cpu_surface, gpu_surface) &&
@@ -258,9 +285,12 @@ void lighting_finish(struct lighting *lighting)
 {
     struct dpl_gl *gl = lighting->gl;
     for (int i = 0; light_techniques[i]; i++) {
-        if (lighting->technique_states[i])
-            light_techniques[i]->finish(lighting->technique_states[i], gl);
-        free(lighting->technique_states[i]);
+        for (int above = 0; above < 2; above++) {
+            void *state = lighting->technique_states[above][i];
+            if (state)
+                light_techniques[i]->finish(state, gl);
+            free(state);
+        }
     }
     blur_finish(&lighting->blur, gl);
     surface_finish(&lighting->surface);

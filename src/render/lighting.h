@@ -18,7 +18,8 @@ struct lit_map {
     struct gpu_texture *shown; /* whichever of the two is finished; NULL: none has been made */
 };
 
-enum { LIT_SCENE, LIT_OTHER, LIT_MAPS }; /* by the scene's technique, by the one that it is compared with */
+/* By the scene's technique; by the one that it is compared with; of light that is thrown back, by the scene's. */
+enum { LIT_SCENE, LIT_OTHER, LIT_REFLECTED, LIT_MAPS };
 
 #define LIGHTING_DROPS_MAX 64
 
@@ -33,11 +34,14 @@ struct lighting {
     struct water_memory memory;
     struct water_drop drops[LIGHTING_DROPS_MAX]; /* that wait for the next frame */
     int drop_count;
-    double receivers[LIGHT_SLICES_MAX];
-    struct ray_window windows[LIGHT_SLICES_MAX];
+    struct lit_receivers {
+        int count;
+        double heights[LIGHT_SLICES_MAX];
+        struct ray_window windows[LIGHT_SLICES_MAX];
+    } below, above;               /* those of LIT_SCENE and LIT_OTHER, and of LIT_REFLECTED */
     struct surface surface, flat; /* flat: as techniques that look straight up see choppy water */
     struct surface_gpu surface_gpu, flat_gpu;
-    void *technique_states[LIGHT_TECHNIQUES_MAX]; /* made when first used */
+    void *technique_states[2][LIGHT_TECHNIQUES_MAX]; /* of the receivers below, above; made when first used */
     struct light_blur blur;
     struct lit_map maps[LIT_MAPS];
 };
@@ -49,7 +53,7 @@ bool lighting_drop(struct lighting *lighting, struct water_drop drop);
 bool lighting_make_surface(struct lighting *lighting, const struct dpl_scene *scene, double time);
 
 /* Makes the surface and the maps of the scene's technique, and of `other` (-1: none). `textures`: the GPU needs them
- * all, to draw a picture with. */
+ * all, to draw a picture with; then also those of reflected light, if the scene asks for them. */
 bool lighting_make(struct lighting *lighting, const struct dpl_scene *scene, double time, int other, bool textures);
 
 /* The surface on the GPU as it is straight above each place, after textures were made. */

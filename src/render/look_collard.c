@@ -66,7 +66,7 @@ static void draw_water(struct state *state, const struct frame *frame)
     const struct look *look = frame->params;
     const struct gpu_program *program = &state->water;
     program_use(gl, program);
-    program_vec3(gl, program, "eye", frame->scene->camera.position);
+    program_vec3(gl, program, "eye", frame->camera->position);
     program_vec3(gl, program, "lamp_position", look->lamp_position);
     program_vec3(gl, program, "lamp_color", look->lamp_color);
     program_vec3(gl, program, "water_color", look->water_color);

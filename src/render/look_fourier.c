@@ -58,7 +58,7 @@ static void draw(void *state_, const struct frame *frame)
     }
     texture_bind(gl, frame->sand, 1);
     program_int(gl, program, "sand", 1);
-    program_vec3(gl, program, "eye", scene->camera.position);
+    program_vec3(gl, program, "eye", frame->camera->position);
     program_vec3(gl, program, "ahead", frame->rays.ahead);
     program_vec3(gl, program, "right", frame->rays.right);
     program_vec3(gl, program, "up", frame->rays.up);

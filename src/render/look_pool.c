@@ -98,7 +98,7 @@ static void set_place(const struct frame *frame, const struct gpu_program *progr
     optics_sun_direction(&scene->sun, to_sun);
     optics_refract(to_sun, up, scene->medium.ior, light_way);
     program_mat4(gl, program, "view_projection", frame->view_projection);
-    program_vec3(gl, program, "eye", scene->camera.position);
+    program_vec3(gl, program, "eye", frame->camera->position);
     program_float(gl, program, "half_side", half_side);
     program_float(gl, program, "depth", fmax(scene->settings.depth, FLATTEST) / half_side);
     program_vec3(gl, program, "sphere", sphere);

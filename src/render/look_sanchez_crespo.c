@@ -79,7 +79,7 @@ static void begin_pass(const struct frame *frame, const struct gpu_program *prog
     const struct look *look = frame->params;
     program_use(gl, program);
     program_mat4(gl, program, "view_projection", frame->view_projection);
-    program_vec3(gl, program, "eye", frame->scene->camera.position);
+    program_vec3(gl, program, "eye", frame->camera->position);
     program_vec3(gl, program, "water_color", look->water_color);
     program_float(gl, program, "transmittance", look->transmittance);
 }
@@ -102,7 +102,7 @@ static void begin_floor(const struct frame *frame, const struct gpu_program *pro
 static int tile_order(const struct frame *frame, double places[][3])
 {
     int tiles = frame->surface->periodic ? ((const struct look *)frame->params)->tiles : 0, count = 0;
-    const double *eye = frame->scene->camera.position, size = frame->surface->size;
+    const double *eye = frame->camera->position, size = frame->surface->size;
     for (int ring = 0; ring <= 2 * tiles; ring++) {
         for (int k = 0; k < (2 * tiles + 1) * (2 * tiles + 1); k++) {
             int i = k % (2 * tiles + 1) - tiles, j = k / (2 * tiles + 1) - tiles;

@@ -5,8 +5,10 @@
 #include "render/camera.h"
 #include "render/difference.h"
 #include "render/lighting.h"
+#include "render/picture.h"
 #include "render/sand.h"
 #include "render/thumbnail.h"
+#include "render/tone.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -25,9 +27,11 @@ struct dpl_renderer {
     struct sand sand;
     void *look_states[SCENE_LOOKS_MAX]; /* made when first used */
     struct gpu_target target;
+    struct tone tone;
     struct thumbnails thumbnails;
-    unsigned char *pixels; /* a picture on its way back from the GPU */
-    size_t pixels_size;
+    struct picture picture;
+    struct scene_camera camera; /* of the frame under way */
+    bool still;                 /* the camera's path does not count */
 };
 
 struct dpl_renderer *dpl_renderer_create(struct dpl_gl *gl, enum dpl_device device, const struct dpl_log *log)
@@ -53,6 +57,7 @@ void dpl_renderer_destroy(struct dpl_renderer *renderer)
         difference_finish(gl, &renderer->difference);
         sand_finish(gl, &renderer->sand);
         target_finish(gl, &renderer->target);
+        tone_finish(gl, &renderer->tone);
         thumbnails_finish(gl, &renderer->thumbnails);
         for (int i = 0; scene_looks[i]; i++)
             if (renderer->look_states[i])
@@ -61,7 +66,7 @@ void dpl_renderer_destroy(struct dpl_renderer *renderer)
     }
     for (int i = 0; scene_looks[i]; i++)
         free(renderer->look_states[i]);
-    free(renderer->pixels);
+    picture_finish(&renderer->picture);
     free(renderer);
 }
 
@@ -101,7 +106,8 @@ struct dpl_image *dpl_renderer_surface(struct dpl_renderer *renderer, const stru
 struct dpl_image *dpl_renderer_slice(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time,
                                      int slice)
 {
-    int slices = scene_receivers(scene, renderer->lighting.receivers);
+    double receivers[LIGHT_SLICES_MAX];
+    int slices = scene_receivers(scene, receivers);
     if (slice < 0 || slice >= slices) {
         base_fail(renderer->log, DPL_REASON_RANGE,
                   "slice: out of range: \"%d\" (accepted: 0 to %d, as caustics.slices says)", slice, slices - 1);
@@ -133,10 +139,11 @@ static void draw_part(struct dpl_renderer *renderer, struct frame *frame, const 
 {
     const int look = frame->scene->render.look;
     frame->map = lit->shown;
+    if (left >= right)
+        return;
     renderer->gl->Scissor(left, 0, right - left, renderer->target.height);
     set_wireframe(renderer->gl, frame->scene->render.wireframe);
-    if (left < right)
-        scene_looks[look]->draw(renderer->look_states[look], frame);
+    scene_looks[look]->draw(renderer->look_states[look], frame);
     set_wireframe(renderer->gl, false);
 }
 
@@ -145,16 +152,17 @@ static bool draw_picture(struct dpl_renderer *renderer, struct frame *frame)
 {
     const struct dpl_compare *compare = &renderer->compare;
     const struct lit_map *maps = renderer->lighting.maps;
-    int width = renderer->target.width, split = width;
+    const struct camera_view *view = &frame->view;
+    int columns = view->columns, split = columns;
     if (compare->mode == DPL_COMPARE_DIFFERENCE) {
         frame->map = maps[LIT_SCENE].shown;
         return difference_draw(&renderer->difference, frame, maps[LIT_OTHER].shown, compare->gain, compare->range);
     }
     if (compare->mode == DPL_COMPARE_SPLIT)
-        split = (int)lround(fmin(fmax(compare->place, 0), 1) * width);
+        split = (int)lround(fmin(fmax(compare->place, 0), 1) * view->width) - view->left;
     renderer->gl->Enable(GL_SCISSOR_TEST);
-    draw_part(renderer, frame, maps + LIT_SCENE, 0, split);
-    draw_part(renderer, frame, maps + LIT_OTHER, split, width);
+    draw_part(renderer, frame, maps + LIT_SCENE, 0, split < columns ? split : columns);
+    draw_part(renderer, frame, maps + LIT_OTHER, split > 0 ? split : 0, columns);
     renderer->gl->Disable(GL_SCISSOR_TEST);
     return true;
 }
@@ -169,8 +177,8 @@ static bool prepare_look(struct dpl_renderer *renderer, const struct frame *fram
     return *state && look->prepare(*state, frame);
 }
 
-/* Surface, light and look into the renderer's own target. */
-static bool draw_frame(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time, int width, int height)
+/* Surface and light: all that does not depend on which part of the picture is drawn. */
+static bool begin_frame(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time, struct frame *frame)
 {
     struct dpl_gl *gl = renderer->gl;
     if (!gl)
@@ -179,41 +187,98 @@ static bool draw_frame(struct dpl_renderer *renderer, const struct dpl_scene *sc
     bool compares = renderer->compare.mode != DPL_COMPARE_NOTHING;
     renderer->compared = false;
     if (!lighting_make(&renderer->lighting, scene, time, compares ? renderer->compare.technique : -1, true) ||
-        (scene_looks[scene->render.look]->sand && !sand_update(gl, &renderer->sand, scene)) ||
-        !target_resize(gl, &renderer->target, width, height, scene->render.samples))
+        (scene_looks[scene->render.look]->sand && !sand_update(gl, &renderer->sand, scene)))
         return false;
     renderer->compared = compares;
-    struct frame frame = {
+    renderer->camera = renderer->still ? scene->camera : scene_camera_at(scene, time);
+    *frame = (struct frame){
         .gl = gl,
         .scene = scene,
+        .camera = &renderer->camera,
         .params = scene->look_params[scene->render.look],
         .time = time,
         .setup = &renderer->lighting.setup,
         .surface = &renderer->lighting.surface_gpu,
         .above = lighting_above(&renderer->lighting),
-        .windows = renderer->lighting.windows,
+        .windows = renderer->lighting.below.windows,
+        .reflected = renderer->lighting.maps[LIT_REFLECTED].shown,
+        .reflected_windows = renderer->lighting.above.windows,
         .sand = &renderer->sand.color,
         .timer = &renderer->timer,
     };
     renderer->has_sphere = scene->sphere.radius > 0;
     water_sphere_center(water_models[scene->medium.model], &renderer->lighting.setup, renderer->sphere);
-    memcpy(frame.sphere, renderer->sphere, sizeof frame.sphere);
-    camera_matrix(&scene->camera, width, height, frame.view_projection);
-    frame.rays = camera_rays(&scene->camera, width, height);
-    if (!prepare_look(renderer, &frame))
-        return false;
-    target_begin(gl, &renderer->target, scene->render.background);
-    bool ok = draw_picture(renderer, &frame);
+    memcpy(frame->sphere, renderer->sphere, sizeof frame->sphere);
+    return true;
+}
+
+/* Points the frame's view through a place of the pixel, -0.5 to 0.5 each way. */
+static void move_view(struct frame *frame, const double place[2])
+{
+    const struct camera_view *view = &frame->view;
+    const double across[2] = {2 * place[0] / view->columns, 2 * place[1] / view->rows};
+    frame->rays = camera_rays(frame->camera, view);
+    camera_matrix(frame->camera, view, frame->view_projection);
+    for (int c = 0; c < 3; c++)
+        frame->rays.ahead[c] += across[0] * frame->rays.right[c] + across[1] * frame->rays.up[c];
+    for (int column = 0; column < 4; column++)
+        for (int a = 0; a < 2; a++)
+            frame->view_projection[column * 4 + a] -= (float)across[a] * frame->view_projection[column * 4 + 3];
+}
+
+/* A picture of a look with linear light: the mean of its samples, shown by the tone pass. */
+static bool draw_linear(struct dpl_renderer *renderer, struct frame *frame)
+{
+    struct dpl_gl *gl = renderer->gl;
+    struct tone *tone = &renderer->tone;
+    const double black[3] = {0, 0, 0};
+    int samples = frame->scene->render.samples;
+    for (int i = 0; i < samples; i++) {
+        double place[2];
+        tone_place(i, samples, place);
+        move_view(frame, place);
+        target_begin(gl, &tone->radiance, black);
+        if (!draw_picture(renderer, frame))
+            return false;
+        timer_pass(&renderer->timer, "samples");
+        tone_add(gl, tone, i);
+    }
+    timer_pass(&renderer->timer, "tone");
+    target_begin(gl, &renderer->target, black);
+    tone_show(gl, tone, frame->camera->exposure, frame->scene->render.tone);
+    return true;
+}
+
+static bool draw_encoded(struct dpl_renderer *renderer, struct frame *frame)
+{
+    target_begin(renderer->gl, &renderer->target, frame->scene->render.background);
+    bool ok = draw_picture(renderer, frame);
     timer_pass(&renderer->timer, "finish");
-    target_resolve(gl, &renderer->target);
+    target_resolve(renderer->gl, &renderer->target);
     return ok;
+}
+
+/* The look into the renderer's own target. */
+static bool draw_view(struct dpl_renderer *renderer, struct frame *frame, const struct camera_view *view)
+{
+    const struct scene_render *render = &frame->scene->render;
+    bool linear = scene_looks[render->look]->linear;
+    int columns = view->columns, rows = view->rows;
+    frame->view = *view;
+    frame->target = linear ? &renderer->tone.radiance : &renderer->target;
+    move_view(frame, (const double[2]){0, 0});
+    return target_resize(renderer->gl, &renderer->target, GL_RGBA8, columns, rows, linear ? 1 : render->samples) &&
+           (!linear || tone_ready(renderer->gl, &renderer->tone, columns, rows)) && prepare_look(renderer, frame) &&
+           (linear ? draw_linear : draw_encoded)(renderer, frame);
 }
 
 bool dpl_renderer_draw(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time, unsigned framebuffer,
                        int width, int height)
 {
     bool shown = framebuffer != DPL_NO_FRAMEBUFFER;
-    bool ok = draw_frame(renderer, scene, time, width, height) &&
+    const struct camera_view whole = {width, height, 0, 0, width, height};
+    struct frame frame;
+    bool ok = begin_frame(renderer, scene, time, &frame) && draw_view(renderer, &frame, &whole) &&
               (!shown || target_copy(renderer->gl, &renderer->target, framebuffer));
     timer_pass(&renderer->timer, NULL);
     if (renderer->gl && !shown)
@@ -221,28 +286,63 @@ bool dpl_renderer_draw(struct dpl_renderer *renderer, const struct dpl_scene *sc
     return leave(renderer, shown ? framebuffer : 0) && ok;
 }
 
-static struct dpl_image *read_picture(struct dpl_renderer *renderer)
+/* Draws tile by tile. The passes of the first are those that are timed. */
+static bool draw_tiles(struct dpl_renderer *renderer, struct frame *frame, const struct picture_tiles *tiles,
+                       struct dpl_image *image)
 {
-    int width = renderer->target.width, height = renderer->target.height;
-    size_t size = (size_t)width * (size_t)height * 4;
-    if (renderer->pixels_size < size) {
-        free(renderer->pixels);
-        renderer->pixels = base_allocate(renderer->log, size, 1, "picture");
-        renderer->pixels_size = renderer->pixels ? size : 0;
+    struct picture *picture = &renderer->picture;
+    enum dpl_timing timing = renderer->timer.timing;
+    int count = tiles->columns * tiles->rows;
+    bool ok = true;
+    for (int i = 0; ok && i < count; i++) {
+        struct camera_view view = picture_view(tiles, i);
+        ok = draw_view(renderer, frame, &view) &&
+             picture_read(picture, &renderer->target, renderer->gl, tiles, i, image);
+        timer_pass(&renderer->timer, NULL);
+        renderer->timer.timing = DPL_TIMING_OFF;
+        if (!ok || !picture->progress || count == 1)
+            continue;
+        ok = leave(renderer, 0);
+        picture->progress(picture->user, i + 1, count);
+        gpu_enter(renderer->gl);
     }
-    struct dpl_image *image = renderer->pixels ? dpl_image_create(width, height, renderer->log) : NULL;
-    if (!image)
-        return NULL;
-    target_read(renderer->gl, &renderer->target, renderer->pixels, image);
-    return image;
+    renderer->timer.timing = timing;
+    return ok;
 }
 
 struct dpl_image *dpl_renderer_picture(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time,
                                        int width, int height)
 {
-    bool ok = draw_frame(renderer, scene, time, width, height);
+    struct frame frame;
+    struct dpl_image *image = dpl_image_create(width, height, renderer->log);
+    bool ok = image && begin_frame(renderer, scene, time, &frame);
+    if (ok) {
+        struct picture_tiles tiles = picture_cut(&renderer->picture, renderer->gl, width, height, scene->render.samples,
+                                                 scene_looks[scene->render.look]->margin);
+        ok = draw_tiles(renderer, &frame, &tiles, image);
+    }
     timer_pass(&renderer->timer, NULL);
-    return leave_with_image(renderer, ok ? read_picture(renderer) : NULL);
+    ok = leave(renderer, 0) && ok;
+    if (ok)
+        return image;
+    dpl_image_destroy(image);
+    return NULL;
+}
+
+void dpl_renderer_tiles(struct dpl_renderer *renderer, void (*drawn)(void *user, int done, int tiles), void *user)
+{
+    renderer->picture.progress = drawn;
+    renderer->picture.user = user;
+}
+
+void dpl_renderer_path(struct dpl_renderer *renderer, bool follows)
+{
+    renderer->still = !follows;
+}
+
+void renderer_limit_tiles(struct dpl_renderer *renderer, int side)
+{
+    renderer->picture.side_max = side;
 }
 
 bool dpl_renderer_drop(struct dpl_renderer *renderer, double x, double z, double radius, double height)
@@ -285,15 +385,15 @@ bool dpl_renderer_measure(struct dpl_renderer *renderer, struct dpl_measure *mea
         return base_fail(renderer->log, DPL_REASON_UNSUPPORTED, "nothing to measure: the last frame compared nothing");
     gpu_enter(renderer->gl);
     bool physical = true, ok = true;
-    struct dpl_image *images[LIT_MAPS];
-    for (int i = 0; i < LIT_MAPS; i++) {
+    struct dpl_image *images[2];
+    for (int i = 0; i < 2; i++) {
         images[i] = lighting_image(&renderer->lighting, maps + i, 0);
         physical = physical && light_techniques[maps[i].technique]->physical;
         ok = ok && images[i];
     }
     ok = ok && dpl_measure_map(images[LIT_SCENE], images[LIT_OTHER], !physical, maps[LIT_OTHER].map.noise, measure,
                                renderer->log);
-    for (int i = 0; i < LIT_MAPS; i++)
+    for (int i = 0; i < 2; i++)
         dpl_image_destroy(images[i]);
     return leave(renderer, 0) && ok;
 }
@@ -316,11 +416,7 @@ void dpl_renderer_time_passes(struct dpl_renderer *renderer, enum dpl_timing tim
 
 struct dpl_pass_time dpl_renderer_pass_time(const struct dpl_renderer *renderer, int index)
 {
-    const struct dpl_pass_time *times = renderer->timer.times;
-    for (int i = 0; i < index && times[i].name; i++)
-        if (!times[i + 1].name)
-            return (struct dpl_pass_time){0};
-    return times[index];
+    return timer_time(&renderer->timer, index);
 }
 
 struct dpl_thumbnail dpl_renderer_thumbnail(struct dpl_renderer *renderer, int index)

@@ -69,7 +69,7 @@ void water_mesh_draw(const struct water_mesh *mesh, const struct frame *frame, c
                      int unit, const double tile[3])
 {
     /* Rows follow each other along the axis that the eye is farther out on. */
-    const double *camera = frame->scene->camera.position, eye[] = {camera[0] - tile[0], 0, camera[2] - tile[2]};
+    const double *camera = frame->camera->position, eye[] = {camera[0] - tile[0], 0, camera[2] - tile[2]};
     bool swapped = fabs(eye[0]) > fabs(eye[2]);
     surface_gpu_bind(frame->gl, frame->surface, program, unit);
     program_mat4(frame->gl, program, "view_projection", frame->view_projection);

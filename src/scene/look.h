@@ -18,10 +18,13 @@ struct scene_look {
     size_t params_size;
     size_t state_size; /* kept between frames, starts zeroed */
     bool sand;         /* draws the floor with frame.sand */
+    bool linear;       /* draws radiance, which camera.exposure and render.tone then make a picture of */
+    int margin;        /* pixels: how far what is drawn in one changes others, as a blur does; 0: not at all */
 
     /* Readies programs, and textures that draw() needs. */
     bool (*prepare)(void *state, const struct frame *frame);
-    /* Draws the picture into the bound target, cleared to render.background, within the scissor box that is set. */
+    /* Draws the part of the picture that frame.view tells into the bound target of that size, cleared to
+     * render.background, within the scissor box that is set. */
     void (*draw)(void *state, const struct frame *frame);
     /* Frees what the state owns. */
     void (*finish)(void *state, struct dpl_gl *gl);

@@ -6,13 +6,16 @@
 #include "scene/world.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 static const struct dpl_param settings_params[] = {
     PARAM_FLOAT(struct scene_settings, size, 4, 0.01, 10000, "m", "side of the square tile of water"),
     PARAM_FLOAT(struct scene_settings, depth, 1, 0, 1000, "m", "from the rest surface down to the floor"),
     PARAM_FLOAT(struct scene_settings, loop, 0, 0, 3600, "s", "every wave repeats after this time; 0 = no loop"),
+    PARAM_FLOAT(struct scene_settings, extent, 0, 0, 10000, "m",
+                "side of the square of water that there is (look = physical); 0 = to the horizon, or the tile where it "
+                "is bounded"),
     PARAM_INT(struct scene_settings, seed, 1, 0, 1000000, "", "start of everything random (grains of sand, photons)"),
     PARAM_END,
 };
@@ -20,9 +23,15 @@ static const struct dpl_param settings_params[] = {
 static const struct dpl_param camera_params[] = {
     PARAM_FLOATS(struct scene_camera, position, 3, -10000, 10000, "m", "place of the eye", 0, 0.2, 4),
     PARAM_FLOATS(struct scene_camera, target, 3, -10000, 10000, "m", "place that is looked at", 0, -0.6, 0),
-    PARAM_FLOAT(struct scene_camera, field_of_view, 45, 1, 150, "degrees", "height of the view"),
+    PARAM_FLOAT(struct scene_camera, field_of_view, 45, SCENE_FIELD_OF_VIEW_MIN, SCENE_FIELD_OF_VIEW_MAX, "degrees",
+                "height of the view"),
     PARAM_FLOAT(struct scene_camera, near_plane, 0.1, 0.001, 9, "m", "nothing nearer is seen"),
     PARAM_FLOAT(struct scene_camera, far_plane, 100, 10, 100000, "m", "nothing farther is seen"),
+    PARAM_FLOAT(struct scene_camera, exposure, 0, -20, 20, "stops",
+                "of looks with linear light: each stop doubles the picture's brightness; at 0 what is white in full "
+                "daylight is near white"),
+    PARAM_BOOL(struct scene_camera, closed, false,
+               "its path, [camera.1] and so on, is round: at the last key's time it is back at the first key"),
     PARAM_END,
 };
 
@@ -63,12 +72,29 @@ static const struct dpl_param current_params[] = {
     PARAM_END,
 };
 
+static const char *tone_name(int i)
+{
+    static const char *const names[] = {"filmic", "linear", NULL};
+    return names[i];
+}
+
+static const char *quality_name(int i)
+{
+    static const char *const names[] = {"low", "medium", "high", "ultra", NULL};
+    return names[i];
+}
+
 static const struct dpl_param render_params[] = {
     PARAM_CHOICE(struct scene_render, look, 0, scene_look_name, "how the scene is shaded"),
     PARAM_COLOR(struct scene_render, background, 1, "colour where there is nothing", 51.0 / 255, 71.0 / 255,
                 79.0 / 255),
     PARAM_INT(struct scene_render, samples, 1, 1, 16, "",
               "samples a pixel, for smooth edges; the device takes the next number that it has"),
+    PARAM_CHOICE(struct scene_render, tone, SCENE_TONE_FILMIC, tone_name,
+                 "of looks with linear light: filmic = highlights roll off as on film; linear = what is too bright is "
+                 "cut off"),
+    PARAM_CHOICE(struct scene_render, quality, SCENE_QUALITY_MEDIUM, quality_name,
+                 "how much work a picture is worth to looks that have a choice: steps, resolution, samples of light"),
     PARAM_BOOL(struct scene_render, wireframe, false, "draw only the edges of triangles"),
     PARAM_END,
 };
@@ -83,6 +109,7 @@ static const struct fixed_section fixed_sections[] = {
     {"scene", "the tile of water", settings_params, offsetof(struct dpl_scene, settings)},
     {"sun", "the sun (multi-sample, pixel-ray and vertex-ray have their own, straight overhead)", optics_sun_params,
      offsetof(struct dpl_scene, sun)},
+    {"sky", "the light of sun and sky (look `physical`)", optics_sky_params, offsetof(struct dpl_scene, sky)},
     {"water", "the water and its waves", water_medium_params, offsetof(struct dpl_scene, medium)},
     {"sphere", "a ball in the water", water_sphere_params, offsetof(struct dpl_scene, sphere)},
     {"caustics", "the caustic map", light_settings_params, offsetof(struct dpl_scene, caustics)},
@@ -110,12 +137,9 @@ struct dpl_scene *dpl_scene_create(const struct dpl_log *log)
     scene->log = log;
     for (int i = 0; i < FIXED_COUNT; i++)
         param_defaults(fixed_sections[i].params, (char *)scene + fixed_sections[i].offset);
-    for (int w = 0; w < WATER_WAVES_MAX; w++) {
-        param_defaults(water_wave_params, scene->waves + w);
-        snprintf(scene->wave_names[w], sizeof scene->wave_names[w], "wave.%d", w + 1);
-    }
     for (int o = 0; o < SCENE_OBJECTS_MAX; o++)
         param_defaults(scene_object_params, scene->objects + o);
+    scene_numbered_start(scene);
     bool ok = true;
     for (int i = 0; water_models[i]; i++) {
         const struct water_model *model = water_models[i];
@@ -155,19 +179,6 @@ static bool model_moves(const struct dpl_scene *scene, int model)
     return water_model_has(scene->medium.model, model, (const void *const *)scene->model_params);
 }
 
-/* The index-th of the waves that are present, and then of the objects. */
-static struct dpl_section numbered_section(const struct dpl_scene *scene, int index)
-{
-    for (int w = 0; w < WATER_WAVES_MAX; w++)
-        if (scene->wave_present[w] && index-- == 0)
-            return (struct dpl_section){scene->wave_names[w], "one wave of the model `sines`", water_wave_params,
-                                        (void *)(scene->waves + w), model_moves(scene, 0)};
-    if (index < scene->object_count)
-        return (struct dpl_section){scene->object_names[index], "one object, or copies of one", scene_object_params,
-                                    (void *)(scene->objects + index), true};
-    return (struct dpl_section){0};
-}
-
 struct dpl_section dpl_scene_section(const struct dpl_scene *scene, int index)
 {
     char *base = (char *)scene;
@@ -189,7 +200,11 @@ struct dpl_section dpl_scene_section(const struct dpl_scene *scene, int index)
         if (index-- == 0)
             return (struct dpl_section){scene_looks[i]->section, scene_looks[i]->summary, scene_looks[i]->params,
                                         scene->look_params[i], scene->render.look == i};
-    return numbered_section(scene, index);
+    struct dpl_section numbered = scene_numbered_section(scene, &index);
+    if (numbered.name || index >= scene->object_count)
+        return numbered;
+    return (struct dpl_section){scene->object_names[index], "one object, or copies of one", scene_object_params,
+                                base + ((char *)(scene->objects + index) - (char *)scene), true};
 }
 
 struct water_setup scene_water_setup(const struct dpl_scene *scene, struct wave *waves)
@@ -230,24 +245,41 @@ int scene_receivers(const struct dpl_scene *scene, double heights[LIGHT_SLICES_M
     return count;
 }
 
-void scene_windows(const struct dpl_scene *scene, bool periodic, struct ray_window windows[LIGHT_SLICES_MAX])
+int scene_reflected(const struct dpl_scene *scene, double heights[LIGHT_SLICES_MAX])
+{
+    int count = scene->caustics.reflected_slices;
+    for (int k = 0; k < count; k++)
+        heights[k] = scene->caustics.reflected_height * (k + 1) / count;
+    return count;
+}
+
+void scene_windows(const struct dpl_scene *scene, bool periodic, const double *heights, int count,
+                   struct ray_window *windows)
 {
     const double up[3] = {0, 1, 0}, flattest = 1e-3; /* of a ray: lower ones leave the window where it is */
-    double receivers[LIGHT_SLICES_MAX], to_sun[3], ray[3], size = scene->settings.size;
+    double to_sun[3], ray[3], size = scene->settings.size;
     double margin = periodic ? 0 : scene->caustics.margin * size;
     bool follows = !periodic && scene->caustics.window == LIGHT_WINDOW_LIGHT;
-    int count = scene_receivers(scene, receivers);
     optics_sun_direction(&scene->sun, to_sun);
     for (int k = 0; k < count; k++) {
         double along[2] = {0, 0};
-        if (receivers[k] > 0)
+        if (heights[k] > 0)
             optics_reflect(to_sun, up, ray);
         else
             optics_refract(to_sun, up, scene->medium.ior, ray);
         for (int a = 0; a < 2 && follows && fabs(ray[1]) > flattest; a++)
-            along[a] = ray[2 * a] / ray[1] * receivers[k];
+            along[a] = ray[2 * a] / ray[1] * heights[k];
         windows[k] = (struct ray_window){along[0] - size / 2 - margin, along[1] - size / 2 - margin, size + 2 * margin};
     }
+}
+
+struct dpl_view dpl_scene_view(const struct dpl_scene *scene, double time)
+{
+    struct scene_camera camera = scene_camera_at(scene, time);
+    struct dpl_view view = {.field_of_view = camera.field_of_view};
+    memcpy(view.position, camera.position, sizeof view.position);
+    memcpy(view.target, camera.target, sizeof view.target);
+    return view;
 }
 
 struct dpl_entry dpl_water_model(int index)

@@ -4,19 +4,17 @@
 
 #include "dapple/scene.h"
 #include "light/light.h"
+#include "optics/sky.h"
+#include "scene/camera_path.h"
 #include "scene/look.h"
+#include "scene/numbered.h"
 #include "scene/object.h"
 #include "water/water.h"
 
 struct scene_settings {
     double size, depth, loop;
+    double extent; /* m; 0: without end, or the tile */
     int seed;
-};
-
-struct scene_camera {
-    double position[3], target[3];
-    double field_of_view; /* degrees, vertical */
-    double near_plane, far_plane;
 };
 
 struct scene_floor {
@@ -37,10 +35,15 @@ struct scene_current {
     double period, length;    /* s, m */
 };
 
+enum scene_tone { SCENE_TONE_FILMIC, SCENE_TONE_LINEAR };
+enum scene_quality { SCENE_QUALITY_LOW, SCENE_QUALITY_MEDIUM, SCENE_QUALITY_HIGH, SCENE_QUALITY_ULTRA };
+
 struct scene_render {
     int look; /* index into scene_looks */
     double background[3];
     int samples;
+    int tone;    /* enum scene_tone */
+    int quality; /* enum scene_quality */
     bool wireframe;
 };
 
@@ -48,6 +51,7 @@ struct dpl_scene {
     const struct dpl_log *log;
     struct scene_settings settings;
     struct optics_sun sun;
+    struct optics_sky_settings sky;
     struct water_medium medium;
     struct water_sphere sphere;
     struct light_settings caustics;
@@ -60,7 +64,10 @@ struct dpl_scene {
     void *look_params[SCENE_LOOKS_MAX];           /* as scene_looks */
     struct wave waves[WATER_WAVES_MAX];           /* [wave.N] is entry N - 1 */
     bool wave_present[WATER_WAVES_MAX];
-    char wave_names[WATER_WAVES_MAX][12]; /* "wave.1", … */
+    char wave_names[WATER_WAVES_MAX][SCENE_NUMBERED_NAME_SIZE]; /* "wave.1", … */
+    struct scene_camera_key camera_keys[SCENE_CAMERA_KEYS_MAX]; /* [camera.N] is entry N - 1 */
+    bool camera_key_present[SCENE_CAMERA_KEYS_MAX];
+    char camera_key_names[SCENE_CAMERA_KEYS_MAX][SCENE_NUMBERED_NAME_SIZE];
     struct scene_object objects[SCENE_OBJECTS_MAX];
     char object_names[SCENE_OBJECTS_MAX][SCENE_OBJECT_NAME_SIZE]; /* "object.NAME" */
     int object_count;
@@ -69,8 +76,12 @@ struct dpl_scene {
 /* The heights of the receivers that the scene asks light for; returns how many, 1 to LIGHT_SLICES_MAX. */
 int scene_receivers(const struct dpl_scene *scene, double heights[LIGHT_SLICES_MAX]);
 
-/* The squares of the receivers that the scene's maps show; those of periodic water are the tile. */
-void scene_windows(const struct dpl_scene *scene, bool periodic, struct ray_window windows[LIGHT_SLICES_MAX]);
+/* The same of those that get light thrown back, beside them; 0 to LIGHT_SLICES_MAX. */
+int scene_reflected(const struct dpl_scene *scene, double heights[LIGHT_SLICES_MAX]);
+
+/* The squares of receivers that the scene's maps show; those of periodic water are the tile. */
+void scene_windows(const struct dpl_scene *scene, bool periodic, const double *heights, int count,
+                   struct ray_window *windows);
 
 /* The parts of a scene that a water model sees. `waves` is room for WATER_WAVES_MAX, filled with those present. */
 struct water_setup scene_water_setup(const struct dpl_scene *scene, struct wave *waves);

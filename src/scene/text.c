@@ -31,11 +31,13 @@ static void list_sections(const struct dpl_scene *scene, char *text, size_t size
     size_t used = 0;
     for (int i = 0; dpl_scene_section(scene, i).name && used < size; i++) {
         const char *name = dpl_scene_section(scene, i).name;
-        if (strncmp(name, "wave.", 5) && strncmp(name, "object.", 7))
+        if (!scene_numbered_find(scene, name).name && strncmp(name, "object.", 7))
             used += (size_t)snprintf(text + used, size - used, "%s, ", name);
     }
     if (used < size)
-        snprintf(text + used, size - used, "wave.1 to wave.%d, object.NAME", WATER_WAVES_MAX);
+        used += (size_t)snprintf(text + used, size - used, "object.NAME, ");
+    if (used < size)
+        scene_numbered_list(text + used, size - used);
 }
 
 static void list_keys(const struct dpl_param *params, char *text, size_t size)
@@ -43,16 +45,6 @@ static void list_keys(const struct dpl_param *params, char *text, size_t size)
     size_t used = 0;
     for (; params->name && used < size; params++)
         used += (size_t)snprintf(text + used, size - used, "%s%s", used ? ", " : "", params->name);
-}
-
-/* The N - 1 of "wave.N", -1 where that is not what the name is. */
-static int wave_number(const char *section)
-{
-    int number = 0, length = 0;
-    if (sscanf(section, "wave.%2d%n", &number, &length) != 1 || section[length] || number < 1 ||
-        number > WATER_WAVES_MAX || section[5] < '1' || section[5] > '9')
-        return -1;
-    return number - 1;
 }
 
 /* True for "object.NAME", NAME of letters, digits and `-`. */
@@ -64,29 +56,28 @@ static bool names_object(const char *section)
            strspn(section + 7, accepted) == length - 7;
 }
 
-/* The section of that name, a wave's or an object's also where it is not there yet; NULL-named where there is none. */
+/* The section of that name, one of those with numbers or an object's also where it is not there yet; NULL-named where
+ * there is none. */
 static struct dpl_section find_section(const struct dpl_scene *scene, const char *name)
 {
-    int wave = wave_number(name);
-    if (wave >= 0)
-        return (struct dpl_section){scene->wave_names[wave], "", water_wave_params, (void *)(scene->waves + wave),
-                                    true};
-    for (int i = 0;; i++) {
-        struct dpl_section section = dpl_scene_section(scene, i);
-        if (section.name && !strcmp(section.name, name))
-            return section;
+    struct dpl_section section = scene_numbered_find(scene, name);
+    for (int i = 0; !section.name; i++) {
+        section = dpl_scene_section(scene, i);
         if (!section.name && names_object(name) && scene->object_count < SCENE_OBJECTS_MAX)
             return (struct dpl_section){name, "", scene_object_params, (void *)(scene->objects + scene->object_count),
                                         true};
         if (!section.name)
             return section;
+        if (strcmp(section.name, name))
+            section.name = NULL;
     }
+    return section;
 }
 
 /* Says that there is no section of that name; `where` opens the message. */
 static bool fail_section(const struct dpl_scene *scene, const char *where, const char *name)
 {
-    char accepted[VALUE_SIZE];
+    char accepted[2 * VALUE_SIZE];
     if (names_object(name))
         return base_fail(scene->log, DPL_REASON_LIMIT, "%s: too many objects: \"%s\" (accepted: at most %d)", where,
                          name, SCENE_OBJECTS_MAX);
@@ -95,12 +86,11 @@ static bool fail_section(const struct dpl_scene *scene, const char *where, const
                      accepted);
 }
 
-/* A wave or an object is there from the moment that one of its values is set. */
+/* A section that need not be there is there from the moment that one of its values is set. */
 static void make_present(struct dpl_scene *scene, const struct dpl_section *section)
 {
-    int wave = wave_number(section->name), next = scene->object_count;
-    if (wave >= 0)
-        scene->wave_present[wave] = true;
+    int next = scene->object_count;
+    scene_numbered_mark(scene, section->name, true);
     if (next < SCENE_OBJECTS_MAX && section->values == scene->objects + next) {
         snprintf(scene->object_names[next], sizeof scene->object_names[next], "%s", section->name);
         scene->object_count++;
@@ -172,6 +162,16 @@ bool dpl_scene_get(const struct dpl_scene *scene, const char *name, char *value,
         return false;
     return dpl_param_format(param, section.values, value, size) ||
            base_fail(scene->log, DPL_REASON_LIMIT, "%s: the value does not fit into %zu bytes", name, size);
+}
+
+bool dpl_scene_remove(struct dpl_scene *scene, const char *section)
+{
+    char accepted[VALUE_SIZE];
+    if (scene_numbered_mark(scene, section, false))
+        return true;
+    scene_numbered_list(accepted, sizeof accepted);
+    return base_fail(scene->log, DPL_REASON_UNKNOWN_SECTION, "%.80s: cannot be taken away (accepted: %s)", section,
+                     accepted);
 }
 
 static void fail_line(struct reading *reading, const char *what)
@@ -333,7 +333,7 @@ bool dpl_scene_save(const struct dpl_scene *scene, const char *path)
         return false;
     for (int i = 0; dpl_scene_section(scene, i).name; i++) {
         struct dpl_section section = dpl_scene_section(scene, i);
-        if (section.active || wave_number(section.name) >= 0 || !is_default(&section))
+        if (section.active || scene_numbered_find(scene, section.name).name || !is_default(&section))
             write_section(writer.stream, &section);
     }
     return file_end(&writer, true, scene->log);

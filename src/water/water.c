@@ -25,8 +25,17 @@ const struct dpl_param water_medium_params[] = {
     PARAM_FLOAT(
         struct water_medium, dispersion, 0, 0, 0.5, "",
         "refractive index of blue light less that of red; 0.006 in clear water; above 0 costs three times the time"),
-    PARAM_FLOATS(struct water_medium, absorption, 3, 0, 100, "1/m", "absorption coefficient in red, green and blue",
-                 0.35, 0.07, 0.03),
+    PARAM_CHOICE(struct water_medium, type, OPTICS_WATER_CUSTOM, optics_water_type_name,
+                 "absorption and scattering: `custom` = those below; or of pure water, or of a type by Jerlov"),
+    PARAM_FLOATS(struct water_medium, absorption, 3, 0, 100, "1/m",
+                 "absorption coefficient in red, green and blue (625, 550, 450 nm), of the type `custom`", 0.35, 0.07,
+                 0.03),
+    PARAM_FLOATS(struct water_medium, scattering, 3, 0, 100, "1/m",
+                 "scattering coefficient in red, green and blue, of the type `custom`", 0.04, 0.05, 0.07),
+    PARAM_FLOAT(struct water_medium, anisotropy, 0.924, -0.99, 0.99, "",
+                "mean cosine of the angle at which particles in the water scatter; 0 = evenly, 1 = straight on"),
+    PARAM_FLOAT(struct water_medium, roughness, 0.02, 0, 0.5, "",
+                "slopes (RMS) of ripples too fine for the grid, which widen the sun's glints (look = physical)"),
     PARAM_END,
 };
 
@@ -43,6 +52,18 @@ void water_refractive_indices(const struct water_medium *medium, double ior[3])
 {
     for (int c = 0; c < 3; c++)
         ior[c] = fmax(medium->ior + (c - 1) * medium->dispersion / 2, 1);
+}
+
+struct optics_water water_optics(const struct water_medium *medium)
+{
+    if (medium->type != OPTICS_WATER_CUSTOM)
+        return optics_water_type(medium->type, medium->anisotropy);
+    struct optics_water water = {.anisotropy = medium->anisotropy};
+    for (int c = 0; c < 3; c++) {
+        water.absorption[c] = medium->absorption[c];
+        water.scattering[c] = medium->scattering[c];
+    }
+    return water;
 }
 
 static int index_of(const struct water_model *model)

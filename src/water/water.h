@@ -6,6 +6,7 @@
 
 #include "base/param.h"
 #include "gpu/texture.h"
+#include "optics/water_types.h"
 #include "water/surface.h"
 
 #define WATER_GRAVITY 9.81 /* m/s² */
@@ -18,9 +19,16 @@ struct water_medium {
     int model;            /* index into water_models */
     double ior;           /* refractive index of green light */
     double dispersion;    /* refractive index of blue light less that of red */
-    double absorption[3]; /* 1/m, red green blue */
+    int type;             /* optics/water_types.h */
+    double absorption[3]; /* 1/m, red green blue, of type 0; so are the next */
+    double scattering[3]; /* 1/m */
+    double anisotropy;    /* mean cosine of the angle at which particles scatter, of all types */
+    double roughness;     /* root mean square of slopes too fine for the grid */
 };
 extern const struct dpl_param water_medium_params[];
+
+/* What the water does to light: as its type says, or by the medium's own numbers. */
+struct optics_water water_optics(const struct water_medium *medium);
 
 /* The refractive indices of red, green and blue light. */
 void water_refractive_indices(const struct water_medium *medium, double ior[3]);

@@ -1,0 +1,179 @@
+/* The physical look: one light, that of the caustic maps, on the floor and on everything else, in the water and in the
+ * air, and in the water itself; seen through a surface that mirrors and refracts. physical.h has the order of a frame.
+ *
+ * Radiance throughout; the eye may be above the water or in it. */
+#include "render/physical.h"
+
+#include "base/log.h"
+
+#include <math.h>
+
+#define RINGS 240
+#define RING_VERTICES 320
+#define HORIZON 20000.0 /* m, of the sea's last ring */
+
+static const struct dpl_param params[] = {
+    PARAM_BOOL(struct physical_settings, caustics, true,
+               "off: the light of flat water, which has the same mean, everywhere"),
+    PARAM_BOOL(struct physical_settings, shafts, true, "light shafts in the water, where the eye is in it"),
+    PARAM_END,
+};
+
+static const struct quality qualities[] = {
+    {1024, 4, 12, 3, 2},
+    {2048, 8, 20, 2, 2},
+    {4096, 12, 32, 2, 1},
+    {4096, 24, 64, 1, 1},
+};
+
+/* The sky as a texture, with smaller levels for what rough water mirrors of it. */
+static bool update_sky(struct physical *physical, const struct frame *frame)
+{
+    struct dpl_gl *gl = frame->gl;
+    if (!optics_sky_make(&physical->sky, &frame->scene->sky, &frame->scene->sun, gl->log))
+        return false;
+    if (physical->sky_texels.name && physical->sky_fingerprint == physical->sky.fingerprint)
+        return true;
+    texture_resize(gl, &physical->sky_texels, gl->info.es ? GL_RGB16F : GL_RGB32F, SKY_COLUMNS, SKY_ROWS,
+                   TEXTURE_REPEAT, TEXTURE_MIPMAP);
+    texture_upload(gl, &physical->sky_texels, physical->sky.texels);
+    texture_make_mipmaps(gl, &physical->sky_texels);
+    physical->sky_fingerprint = physical->sky.fingerprint;
+    return true;
+}
+
+static bool update_layers(struct physical *physical, const struct frame *frame)
+{
+    for (int i = 0; i < LAYERS; i++) {
+        int share = i == LAYER_MIRROR ? physical->quality.mirror_share : 1;
+        if (!layer_resize(frame->gl, physical->layers + i, GL_RGBA16F, (frame->view.columns + share - 1) / share,
+                          (frame->view.rows + share - 1) / share))
+            return false;
+    }
+    return true;
+}
+
+/* On which side of the water the eye is. */
+static double eye_side(const struct frame *frame)
+{
+    const double *eye = frame->camera->position;
+    double x = eye[0], z = eye[2], height, slopes[2], shifts[2], area;
+    struct water_points point = {1, &x, &z, &height, slopes, slopes + 1, shifts, shifts + 1, &area};
+    double extent = waves_extent(frame);
+    if (extent > 0 && fmax(fabs(x), fabs(z)) > extent)
+        return 1;
+    water_sample(water_models[frame->scene->medium.model], frame->setup, frame->time, &point);
+    return eye[1] < height ? -1 : 1;
+}
+
+static bool prepare(void *state, const struct frame *frame)
+{
+    struct physical *physical = state;
+    struct dpl_gl *gl = frame->gl;
+    if (!gl->info.float_render)
+        return base_fail(gl->log, DPL_REASON_UNSUPPORTED, "look physical: this device cannot draw to floats");
+    physical->quality = qualities[frame->scene->render.quality];
+    if (!update_sky(physical, frame) || !world_build(&physical->world, frame->scene, gl->log))
+        return false;
+    physical->light = physical_light(&physical->sky, frame);
+    physical->side = eye_side(frame);
+    return update_layers(physical, frame) && rings_ready(&physical->rings, gl, RINGS, RING_VERTICES) &&
+           shadow_prepare(&physical->shadow, frame, physical) && solids_prepare(&physical->solids, gl) &&
+           seabed_prepare(&physical->seabed, frame, &physical->world) && ambient_update(physical, frame) &&
+           shafts_prepare(&physical->shafts, frame, &physical->quality) &&
+           program_ready(gl, &physical->backdrop, "render/backdrop.glsl", "") &&
+           program_ready(gl, &physical->sea, "render/sea.glsl", "") && waves_update(&physical->waves, frame);
+}
+
+/* What stands on one side of the surface, as a layer shows it. */
+static void draw_layer(const struct physical *physical, const struct frame *frame, enum physical_layer layer, bool wet)
+{
+    struct dpl_gl *gl = frame->gl;
+    layer_begin(gl, physical->layers + layer);
+    gl->Enable(GL_DEPTH_TEST);
+    solids_draw(physical, frame, layer, wet);
+    if (wet)
+        seabed_draw(physical, frame, layer, wet);
+    gl->Disable(GL_DEPTH_TEST);
+}
+
+static void draw_backdrop(const struct physical *physical, const struct frame *frame)
+{
+    program_use(frame->gl, &physical->backdrop);
+    physical_bind(physical, frame, &physical->backdrop);
+    physical_bind_layers(physical, frame, &physical->backdrop);
+    gpu_draw_screen(frame->gl);
+}
+
+static void draw_sea(const struct physical *physical, const struct frame *frame)
+{
+    struct dpl_gl *gl = frame->gl;
+    const struct gpu_program *program = &physical->sea;
+    program_use(gl, program);
+    physical_bind(physical, frame, program);
+    physical_bind_layers(physical, frame, program);
+    gl->Enable(GL_DEPTH_TEST);
+    rings_draw(&physical->rings, frame, program, frame->camera->position[1], HORIZON, waves_extent(frame));
+    gl->Disable(GL_DEPTH_TEST);
+}
+
+static void draw(void *state, const struct frame *frame)
+{
+    struct physical *physical = state;
+    struct dpl_gl *gl = frame->gl;
+    const struct physical_settings *settings = frame->params;
+    bool in_water = physical->side < 0;
+    gl->Disable(GL_SCISSOR_TEST);
+    timer_pass(frame->timer, "shadow");
+    shadow_draw(&physical->shadow, frame, physical);
+    timer_pass(frame->timer, "straight");
+    draw_layer(physical, frame, LAYER_DIRECT, in_water);
+    timer_pass(frame->timer, "through");
+    draw_layer(physical, frame, LAYER_THROUGH, !in_water);
+    timer_pass(frame->timer, "mirrored");
+    draw_layer(physical, frame, LAYER_MIRROR, in_water);
+    physical->has_shafts = in_water && settings->shafts && settings->caustics;
+    if (physical->has_shafts) {
+        timer_pass(frame->timer, "shafts");
+        shafts_draw(physical, frame);
+    }
+    gl->BindFramebuffer(GL_FRAMEBUFFER, frame->target->framebuffer);
+    gl->Viewport(0, 0, frame->view.columns, frame->view.rows);
+    gl->Enable(GL_SCISSOR_TEST);
+    timer_pass(frame->timer, "backdrop");
+    draw_backdrop(physical, frame);
+    timer_pass(frame->timer, "sea");
+    draw_sea(physical, frame);
+}
+
+static void finish(void *state, struct dpl_gl *gl)
+{
+    struct physical *physical = state;
+    optics_sky_finish(&physical->sky);
+    world_finish(&physical->world);
+    texture_finish(gl, &physical->sky_texels);
+    waves_finish(&physical->waves, gl);
+    rings_finish(&physical->rings, gl);
+    shadow_finish(&physical->shadow, gl);
+    solids_finish(&physical->solids, gl);
+    seabed_finish(&physical->seabed, gl);
+    shafts_finish(&physical->shafts, gl);
+    for (int i = 0; i < LAYERS; i++)
+        layer_finish(gl, physical->layers + i);
+    program_finish(gl, &physical->backdrop);
+    program_finish(gl, &physical->sea);
+}
+
+const struct scene_look look_physical = {
+    .name = "physical",
+    .section = "look.physical",
+    .summary = "sun, sky, water, solids and light shafts in one light, from above or from in the water",
+    .params = params,
+    .params_size = sizeof(struct physical_settings),
+    .state_size = sizeof(struct physical),
+    .sand = true,
+    .linear = true,
+    .prepare = prepare,
+    .draw = draw,
+    .finish = finish,
+};

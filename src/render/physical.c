@@ -1,0 +1,168 @@
+#include "render/physical.h"
+
+#include "light/map_texture.h"
+#include "optics/refraction.h"
+#include "optics/water_types.h"
+#include "scene/sway.h"
+
+#include <math.h>
+#include <string.h>
+
+#define DIFFUSE_ENTERS 0.934 /* share of light from all around that flat water lets in (Preisendorfer 1976) */
+#define DIFFUSE_SLANT 1.2    /* m of its way for each m of depth (Gordon 1989: the inverse of its mean cosine) */
+#define BACKWARD 0.25        /* share of what the smooth rest of the phase function throws back up */
+
+static const double degree = M_PI / 180;
+
+static void scatter(struct physical_light *light, const struct water_medium *medium)
+{
+    struct optics_water water = water_optics(medium);
+    double g = water.anisotropy;
+    light->asymmetry = g / (1 + g);
+    for (int c = 0; c < 3; c++) {
+        light->scattering[c] = water.scattering[c] * (1 - g * g);
+        light->extinction[c] = water.absorption[c] + light->scattering[c];
+        light->diffuse_extinction[c] = DIFFUSE_SLANT * (water.absorption[c] + BACKWARD * light->scattering[c]);
+    }
+}
+
+struct physical_light physical_light(const struct optics_sky *sky, const struct frame *frame)
+{
+    static const double up[3] = {0, 1, 0};
+    const struct dpl_scene *scene = frame->scene;
+    struct physical_light light = {.sun_spread = 0.5 * fmax(scene->sun.angular_radius, 0.01) * degree};
+    optics_sun_direction(&scene->sun, light.to_sun);
+    optics_refract(light.to_sun, up, scene->medium.ior, light.sun_way);
+    scatter(&light, &scene->medium);
+    double height = light.to_sun[1], share = optics_fresnel_reflectance(height, scene->medium.ior);
+    for (int c = 0; c < 3; c++) {
+        light.sun[c] = sky->sun[c];
+        light.sun_reflected[c] = sky->sun[c] * height * share;
+        light.sun_below[c] = sky->sun[c] * height * (1 - share) / -light.sun_way[1];
+        light.diffuse_below[c] = sky->irradiance[c] * DIFFUSE_ENTERS;
+        double depth = scene->settings.depth, straight = exp(-light.extinction[c] * depth / -light.sun_way[1]);
+        double below = light.sun_below[c] * -light.sun_way[1] * straight +
+                       light.diffuse_below[c] * exp(-light.diffuse_extinction[c] * depth);
+        light.floor_radiance[c] = scene->floor.color[c] / M_PI * below;
+    }
+    return light;
+}
+
+static void bind_sight(const struct physical *physical, const struct frame *frame, const struct gpu_program *program)
+{
+    struct dpl_gl *gl = frame->gl;
+    const struct scene_camera *camera = frame->camera;
+    program_mat4(gl, program, "view_projection", frame->view_projection);
+    program_vec3(gl, program, "eye", camera->position);
+    program_vec3(gl, program, "ahead", frame->rays.ahead);
+    program_vec3(gl, program, "right", frame->rays.right);
+    program_vec3(gl, program, "up", frame->rays.up);
+    program_vec2(gl, program, "planes", camera->near_plane, camera->far_plane);
+    program_vec2(gl, program, "picture", frame->view.columns, frame->view.rows);
+    program_float(gl, program, "ior", frame->scene->medium.ior);
+    program_float(gl, program, "side", physical->side);
+}
+
+static void bind_light(const struct physical *physical, const struct frame *frame, const struct gpu_program *program)
+{
+    struct dpl_gl *gl = frame->gl;
+    const struct physical_light *light = &physical->light;
+    program_vec3(gl, program, "to_sun", light->to_sun);
+    program_vec3(gl, program, "sun_way", light->sun_way);
+    program_vec3(gl, program, "sun_irradiance", light->sun);
+    program_vec3(gl, program, "sun_below", light->sun_below);
+    program_vec3(gl, program, "sun_reflected", light->sun_reflected);
+    program_float(gl, program, "sun_spread", light->sun_spread);
+    program_vec3(gl, program, "diffuse_below", light->diffuse_below);
+    program_vec3(gl, program, "extinction", light->extinction);
+    program_vec3(gl, program, "scattering", light->scattering);
+    program_vec3(gl, program, "diffuse_extinction", light->diffuse_extinction);
+    program_float(gl, program, "asymmetry", light->asymmetry);
+    program_vec3(gl, program, "floor_radiance", light->floor_radiance);
+    texture_bind(gl, &physical->sky_texels, UNIT_SKY);
+    program_int(gl, program, "sky_texels", UNIT_SKY);
+}
+
+static void bind_maps(const struct frame *frame, const struct gpu_program *program)
+{
+    struct dpl_gl *gl = frame->gl;
+    const struct dpl_scene *scene = frame->scene;
+    const struct physical_settings *settings = frame->params;
+    const struct gpu_texture *reflected = frame->reflected ? frame->reflected : frame->map;
+    program_float(gl, program, "tile_size", scene->settings.size);
+    program_float(gl, program, "tile_depth", fmax(scene->settings.depth, 1e-3));
+    program_float(gl, program, "tile_floor", -scene->settings.depth);
+    program_int(gl, program, "caustics", settings->caustics);
+    map_texture_bind(gl, frame->map, frame->windows, scene->settings.size, program, UNIT_MAP);
+    map_texture_bind_reflected(gl, reflected, frame->reflected_windows, scene->settings.size, program, UNIT_REFLECTED);
+    program_float(gl, program, "reflected_height", frame->reflected ? scene->caustics.reflected_height : 0);
+}
+
+/* How far the sun's disc and the waves spread the light that comes to a point, for each metre of height. */
+static void bind_shadow(const struct physical *physical, const struct frame *frame, const struct gpu_program *program)
+{
+    struct dpl_gl *gl = frame->gl;
+    const struct shadow *shadow = &physical->shadow;
+    double disc = 2 * physical->light.sun_spread / physical->light.to_sun[1];
+    float square[4];
+    for (int i = 0; i < 4; i++)
+        square[i] = (float)shadow->square[i];
+    program_vec4s(gl, program, "shadow_square", 1, square);
+    program_vec2(gl, program, "shadow_span", shadow->span[0], shadow->span[1]);
+    program_float(gl, program, "shadow_disc", disc);
+    program_float(gl, program, "shadow_waves", fmax(disc, SHADOW_WAVES));
+    program_int(gl, program, "shadow_taps", physical->quality.shadow_taps);
+    texture_bind(gl, &shadow->map.depth, UNIT_SHADOW);
+    program_int(gl, program, "shadow_heights", UNIT_SHADOW);
+}
+
+/* Where the water carries what sways in it. */
+static void bind_sway(const struct frame *frame, const struct gpu_program *program)
+{
+    struct sway sway;
+    sway_now(frame->scene, frame->time, &sway);
+    program_vec4s(frame->gl, program, "sway_waves", SWAY_WAVES, sway.waves[0]);
+    program_vec4s(frame->gl, program, "sway_current", 1, sway.current);
+}
+
+static void bind_floor(const struct physical *physical, const struct frame *frame, const struct gpu_program *program)
+{
+    struct dpl_gl *gl = frame->gl;
+    const struct seabed *seabed = &physical->seabed;
+    program_float(gl, program, "relief_size", frame->scene->settings.size);
+    program_vec3(gl, program, "ambient_square", seabed->ambient_square);
+    texture_bind(gl, &seabed->relief, UNIT_RELIEF);
+    program_int(gl, program, "relief_texels", UNIT_RELIEF);
+    texture_bind(gl, &seabed->ambient, UNIT_AMBIENT);
+    program_int(gl, program, "floor_ambient", UNIT_AMBIENT);
+    texture_bind(gl, frame->sand, UNIT_SAND);
+    program_int(gl, program, "sand", UNIT_SAND);
+}
+
+void physical_bind(const struct physical *physical, const struct frame *frame, const struct gpu_program *program)
+{
+    bind_sight(physical, frame, program);
+    bind_light(physical, frame, program);
+    bind_maps(frame, program);
+    bind_shadow(physical, frame, program);
+    bind_floor(physical, frame, program);
+    bind_sway(frame, program);
+    waves_bind(&physical->waves, frame, program, UNIT_WAVES);
+}
+
+void physical_bind_layers(const struct physical *physical, const struct frame *frame, const struct gpu_program *program)
+{
+    static const char *const names[LAYERS][2] = {
+        {"direct_color", "direct_depth"}, {"through_color", "through_depth"}, {"mirror_color", "mirror_depth"}};
+    struct dpl_gl *gl = frame->gl;
+    for (int i = 0; i < LAYERS; i++) {
+        int unit = UNIT_DIRECT_COLOR + 2 * i;
+        texture_bind(gl, &physical->layers[i].color, (GLenum)unit);
+        texture_bind(gl, &physical->layers[i].depth, (GLenum)unit + 1);
+        program_int(gl, program, names[i][0], unit);
+        program_int(gl, program, names[i][1], unit + 1);
+    }
+    texture_bind(gl, &physical->shafts.smooth, UNIT_SHAFTS);
+    program_int(gl, program, "shafts_texels", UNIT_SHAFTS);
+    program_int(gl, program, "shafts", physical->has_shafts);
+}

@@ -1,0 +1,145 @@
+/* render/physical.h: what the passes of the physical look share.
+ *
+ * The order of a frame (look_physical.c draws it):
+ *
+ *     waves     the surface with smaller levels, for sight
+ *     shadow    how high solids stand in the sun's way, above and below the surface
+ *     layers    solids and floor: straight; through the rest surface; mirrored in it
+ *     shafts    the sun's light in the water along every sight, from an eye in it
+ *     backdrop  what is seen straight, and the sky or the open water behind
+ *     sea       the surface, which looks into the other two layers */
+#ifndef RENDER_PHYSICAL_H
+#define RENDER_PHYSICAL_H
+
+#include "gpu/layer.h"
+#include "optics/sky.h"
+#include "render/rings.h"
+#include "render/waves.h"
+#include "scene/world.h"
+
+/* Section [look.physical]. */
+struct physical_settings {
+    bool caustics, shafts;
+};
+
+#define SHADOW_WAVES 0.02 /* m that waves spread light for each m of depth: a quarter of their slope */
+
+enum physical_layer { LAYER_DIRECT, LAYER_THROUGH, LAYER_MIRROR, LAYERS };
+
+/* Texture units, the same in every pass. */
+enum physical_unit {
+    UNIT_MAP,
+    UNIT_REFLECTED,
+    UNIT_SHADOW,
+    UNIT_WAVES,
+    UNIT_SKY,
+    UNIT_RELIEF,
+    UNIT_SAND,
+    UNIT_AMBIENT,
+    UNIT_NOISE = UNIT_AMBIENT,
+    UNIT_DIRECT_COLOR,
+    UNIT_DIRECT_DEPTH,
+    UNIT_THROUGH_COLOR,
+    UNIT_THROUGH_DEPTH,
+    UNIT_MIRROR_COLOR,
+    UNIT_MIRROR_DEPTH,
+    UNIT_SHAFTS,
+};
+
+/* The light of the scene in numbers; what render/volume.glsl and render/receiver.glsl get. */
+struct physical_light {
+    double to_sun[3], sun_way[3]; /* unit vectors */
+    double sun[3], sun_below[3];  /* irradiance across the sun's rays, in the air and just below flat water */
+    double sun_reflected[3];      /* on a ceiling, of what flat water throws back */
+    double sun_spread;            /* radians */
+    double diffuse_below[3];      /* irradiance from all around on a horizontal surface just below */
+    double extinction[3], scattering[3], diffuse_extinction[3], asymmetry;
+    double floor_radiance[3]; /* of the flat floor under flat water */
+};
+
+struct quality {
+    int shadow_side, shadow_taps, shaft_steps, shaft_share, mirror_share; /* share: of the picture's side, 1 / share */
+};
+
+struct shadow {
+    struct gpu_program cast;
+    struct gpu_layer map;
+    double square[4], span[2]; /* as in render/shadow.glsl */
+};
+
+struct solids {
+    struct gpu_program program;
+    GLuint array, vertices, ambient, indices;
+    uint64_t fingerprint; /* of the world that is in the buffers */
+};
+
+struct seabed {
+    struct gpu_program program;
+    struct gpu_texture relief, ambient;
+    double ambient_square[3]; /* m: least x and z, side */
+    uint64_t fingerprint;
+};
+
+struct shafts {
+    struct gpu_program program, smooth_program;
+    struct gpu_texture raw, smooth, noise;
+};
+
+/* The look's state. All zero at first. */
+struct physical {
+    struct optics_sky sky;
+    uint64_t sky_fingerprint; /* of what is in the texture */
+    struct gpu_texture sky_texels;
+    struct world world;
+    uint64_t ambient_fingerprint;
+    struct waves waves;
+    struct rings rings;
+    struct shadow shadow;
+    struct solids solids;
+    struct seabed seabed;
+    struct shafts shafts;
+    struct gpu_layer layers[LAYERS];
+    struct gpu_program backdrop, sea;
+
+    /* Of this frame: */
+    struct physical_light light;
+    struct quality quality;
+    double side; /* 1: the eye is above the water, -1: in it */
+    bool has_shafts;
+};
+
+/* Sets every uniform and texture that more than one pass uses, in the program in use. */
+void physical_bind(const struct physical *physical, const struct frame *frame, const struct gpu_program *program);
+
+/* The layers, and the light shafts, once they are drawn. */
+void physical_bind_layers(const struct physical *physical, const struct frame *frame,
+                          const struct gpu_program *program);
+
+/* The light of the scene, from its sky. */
+struct physical_light physical_light(const struct optics_sky *sky, const struct frame *frame);
+
+bool shadow_prepare(struct shadow *shadow, const struct frame *frame, const struct physical *physical);
+void shadow_draw(struct shadow *shadow, const struct frame *frame, const struct physical *physical);
+void shadow_finish(struct shadow *shadow, struct dpl_gl *gl);
+
+/* Solids: `ambient` is the irradiance from all around at each vertex. */
+bool solids_prepare(struct solids *solids, struct dpl_gl *gl);
+void solids_upload(struct solids *solids, struct dpl_gl *gl, const struct world *world, const float *ambient);
+/* Draws what is in the water (wet), or what is not, into a layer. */
+void solids_draw(const struct physical *physical, const struct frame *frame, enum physical_layer layer, bool wet);
+/* All parts that cast shadows, with the program in use. */
+void solids_cast(const struct solids *solids, struct dpl_gl *gl, const struct world *world);
+void solids_finish(struct solids *solids, struct dpl_gl *gl);
+
+bool seabed_prepare(struct seabed *seabed, const struct frame *frame, const struct world *world);
+void seabed_draw(const struct physical *physical, const struct frame *frame, enum physical_layer layer, bool wet);
+void seabed_finish(struct seabed *seabed, struct dpl_gl *gl);
+
+bool shafts_prepare(struct shafts *shafts, const struct frame *frame, const struct quality *quality);
+void shafts_draw(struct physical *physical, const struct frame *frame);
+void shafts_finish(struct shafts *shafts, struct dpl_gl *gl);
+
+/* What solids and floor get from all around, into their buffers, where world or light have changed. */
+bool ambient_update(struct physical *physical, const struct frame *frame);
+
+#endif

@@ -1,0 +1,72 @@
+/* The light on a solid's surface, in the water and above it. */
+#include "light/map.glsl"
+#include "render/waves.glsl"
+#include "render/shadow.glsl"
+#include "render/sky.glsl"
+
+uniform float tile_size, tile_depth; /* m */
+uniform int caustics;                /* 0: the water's light is that of flat water everywhere */
+uniform vec3 sun_reflected;          /* irradiance on a ceiling of what flat water throws back */
+uniform sampler2DArray reflected_texels;
+uniform vec3 reflected_window, reflected_step; /* as in light/map.glsl */
+uniform float reflected_height;                /* m, of the last layer; 0: there is no such light */
+
+/* The caustics at a point in the water, as irradiance in units of flat water's. */
+vec3 receiver_caustics(vec3 point)
+{
+    vec2 slant = tile_depth * sun_way.xz / (-sun_way.y * tile_size);
+    vec3 light = light_at_height(point.xz / tile_size + 0.5, 1.0 + point.y / tile_depth, slant);
+    return caustics != 0 ? light : vec3(1.0);
+}
+
+vec3 reflected_in_layer(vec2 place, float layer)
+{
+    vec2 inside = (place - reflected_window.xy - layer * reflected_step.xy) / reflected_window.z;
+    return texture(reflected_texels, vec3(inside, layer)).rgb;
+}
+
+/* The same of light that the water throws up to a point above it; between layers along its way. */
+vec3 receiver_reflected(vec3 point)
+{
+    if (reflected_height == 0.0)
+        return vec3(1.0);
+    float count = float(textureSize(reflected_texels, 0).z), height = point.y / reflected_height * count - 1.0;
+    float layer = clamp(height, 0.0, count - 1.0), lower = floor(layer), upper = min(lower + 1.0, count - 1.0);
+    vec2 place = point.xz / tile_size + 0.5;
+    vec2 slant = -to_sun.xz / to_sun.y * reflected_height / (count * tile_size); /* from a layer to the next */
+    vec3 below = reflected_in_layer(place - slant * (layer - lower), lower);
+    vec3 above = reflected_in_layer(place - slant * (layer - upper), upper);
+    return caustics != 0 ? mix(below, above, layer - lower) : vec3(1.0);
+}
+
+/* Irradiance from the sun through the water on a surface in it. */
+vec3 receiver_below(vec3 point, vec3 normal)
+{
+    vec3 light = receiver_caustics(point);
+    return sun_below * volume_sun(max(-point.y, 0.0)) * light * max(dot(normal, -sun_way), 0.0);
+}
+
+/* Irradiance from the sun on a surface in the air, straight and thrown back by the water. */
+vec3 receiver_above(vec3 point, vec3 normal, float lit)
+{
+    vec3 up_way = vec3(-to_sun.x, to_sun.y, -to_sun.z), light = receiver_reflected(point);
+    vec3 origin = point - up_way * (max(point.y, 0.0) / up_way.y); /* on the water */
+    float facing = max(-dot(normal, up_way), 0.0) / up_way.y;
+    vec3 thrown = vec3(0.0);
+    if (facing > 0.0 && waves_cover(origin.xz) && dot(sun_reflected, vec3(1.0)) > 0.0)
+        thrown = sun_reflected * light * facing * shadow_light(origin + vec3(0.0, 1e-3, 0.0), vec3(0.0), to_sun);
+    return sun_irradiance * lit * max(dot(normal, to_sun), 0.0) + thrown;
+}
+
+/* Radiance of a diffuse surface; `ambient` is its irradiance from all around, in the water without what that scatters
+ * out of the sun's beam. */
+vec3 receiver_radiance(vec3 point, vec3 normal, vec3 reflectance, vec3 ambient, bool wet)
+{
+    vec3 below = receiver_below(point, normal);
+    float lit = shadow_light(point, normal, to_sun);
+    if (wet) {
+        vec3 scattered = volume_diffuse(max(-point.y, 0.0)) - diffuse_below * exp(-diffuse_extinction * max(-point.y, 0.0));
+        return reflectance / SKY_PI * (below * lit + ambient + scattered * (0.5 + 0.5 * normal.y));
+    }
+    return reflectance / SKY_PI * (receiver_above(point, normal, lit) + ambient);
+}

@@ -1,0 +1,69 @@
+/* The floor, from below the eye to the horizon. */
+#include "render/physical.h"
+
+#include "base/log.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#define FARTHEST 4.0 /* radius of the last ring, in far planes: beyond what the picture shows */
+
+/* Heights and slopes of the relief as a texture. */
+static bool upload_relief(struct seabed *seabed, const struct frame *frame, const struct world *world)
+{
+    struct dpl_gl *gl = frame->gl;
+    double size = frame->scene->settings.size;
+    int side = world->relief_side > 0 ? world->relief_side : 1;
+    float *texels = base_allocate(gl->log, (size_t)side * (size_t)side * 4, sizeof *texels, "relief of the floor");
+    if (!texels)
+        return false;
+    for (int j = 0; j < side && world->relief_side > 0; j++) {
+        for (int i = 0; i < side; i++) {
+            double place[3];
+            world_floor(world, size, (i + 0.5) / side * size - size / 2, (j + 0.5) / side * size - size / 2, place);
+            for (int c = 0; c < 3; c++)
+                texels[4 * ((size_t)j * (size_t)side + (size_t)i) + (size_t)c] = (float)place[c];
+        }
+    }
+    texture_resize(gl, &seabed->relief, GL_RGBA16F, side, side, TEXTURE_REPEAT, TEXTURE_MIPMAP);
+    texture_upload(gl, &seabed->relief, texels);
+    texture_make_mipmaps(gl, &seabed->relief);
+    free(texels);
+    return true;
+}
+
+bool seabed_prepare(struct seabed *seabed, const struct frame *frame, const struct world *world)
+{
+    if (!program_ready(frame->gl, &seabed->program, "render/seabed.glsl", ""))
+        return false;
+    if (seabed->relief.name && seabed->fingerprint == world->fingerprint)
+        return true;
+    seabed->fingerprint = world->fingerprint;
+    return upload_relief(seabed, frame, world);
+}
+
+void seabed_draw(const struct physical *physical, const struct frame *frame, enum physical_layer layer, bool wet)
+{
+    struct dpl_gl *gl = frame->gl;
+    const struct dpl_scene *scene = frame->scene;
+    const struct gpu_program *program = &physical->seabed.program;
+    double height = frame->camera->position[1] + scene->settings.depth;
+    program_use(gl, program);
+    physical_bind(physical, frame, program);
+    program_int(gl, program, "layer", (int)layer);
+    program_float(gl, program, "layer_wet", wet ? 1 : -1);
+    program_int(gl, program, "pattern", scene->floor.pattern);
+    program_float(gl, program, "pattern_size", scene->floor.pattern_size);
+    program_vec3(gl, program, "pattern_joint", scene->floor.joint);
+    program_vec3(gl, program, "floor_color", scene->floor.color);
+    program_float(gl, program, "seabed_extent", scene->floor.extent / 2);
+    rings_draw(&physical->rings, frame, program, height, fmin(frame->camera->far_plane, 1000) * FARTHEST,
+               scene->floor.extent / 2);
+}
+
+void seabed_finish(struct seabed *seabed, struct dpl_gl *gl)
+{
+    program_finish(gl, &seabed->program);
+    texture_finish(gl, &seabed->relief);
+    texture_finish(gl, &seabed->ambient);
+}

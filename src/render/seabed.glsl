@@ -1,0 +1,53 @@
+/* The floor: sand with its relief, or tiles, lit by what comes through the water. */
+#include "render/view.glsl"
+#include "render/rings.glsl"
+
+uniform int layer;
+uniform sampler2D relief_texels; /* m above the flat floor, and its slopes; one repetition covers the tile */
+uniform float tile_floor;        /* m, y of the flat floor */
+uniform float relief_size;       /* m, the tile */
+
+#ifdef VERTEX
+out vec3 position;
+
+void main()
+{
+    float spacing;
+    vec2 xz = rings_place(spacing);
+    float level = log2(max(spacing * float(textureSize(relief_texels, 0).x) / relief_size, 1.0));
+    position = vec3(xz.x, tile_floor + textureLod(relief_texels, xz / relief_size + 0.5, level).x, xz.y);
+    gl_Position = view_projection * vec4(view_apparent(position, layer), 1.0);
+}
+#else
+#include "render/receiver.glsl"
+#include "scene/pattern.glsl"
+uniform sampler2D sand;
+uniform sampler2D floor_ambient; /* irradiance from all around */
+uniform vec3 ambient_square;     /* m: the least x and z, and the side, that it covers */
+uniform float seabed_extent;     /* m, half a side; 0: it has no end */
+uniform int pattern;            /* scene/pattern.glsl; plain: sand */
+uniform float pattern_size;
+uniform vec3 pattern_joint, floor_color;
+uniform float layer_wet;         /* 1: what is in the water is drawn, -1: what is not */
+in vec3 position;
+out vec4 color;
+
+void main()
+{
+    vec2 place = position.xz / relief_size + 0.5;
+    vec2 slopes = texture(relief_texels, place).yz;
+    vec3 normal = normalize(vec3(-slopes.x, 1.0, -slopes.y));
+    vec2 width = fwidth(position.xz);
+    vec3 reflectance = texture(sand, place).rgb;
+    if (pattern != PATTERN_PLAIN)
+        reflectance = pattern_color(pattern, pattern_size, pattern_joint, floor_color, position.xz, width);
+    vec3 ambient = texture(floor_ambient, (position.xz - ambient_square.xy) / ambient_square.z).rgb;
+    bool wet = waves_wet(position);
+    vec3 radiance = receiver_radiance(position, normal, reflectance, ambient, wet);
+    if (seabed_extent > 0.0 && max(abs(position.x), abs(position.z)) > seabed_extent)
+        discard;
+    if (wet != (layer_wet > 0.0))
+        discard;
+    color = vec4(radiance, 1.0);
+}
+#endif

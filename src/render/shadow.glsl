@@ -1,0 +1,78 @@
+/* Shadows of solids. Light that comes to a point has passed the rest surface at some place, straight above the water
+ * or along its refracted way below it; the map holds, for each such place, how high the highest solid stands on that
+ * light's way (shadow_cast.glsl). So a shadow goes on through the surface without a step. */
+#include "render/volume.glsl"
+uniform sampler2D shadow_heights; /* 0 at shadow_span.x + shadow_span.y, 1 at shadow_span.x */
+uniform vec4 shadow_square;       /* m: the least x and z, and the sides, of the places */
+uniform vec2 shadow_span;         /* m: the least height, and how far the highest is above it; 0: nothing casts */
+uniform float shadow_disc;        /* m that the sun's disc widens a shadow by for each m of height, above the water */
+uniform float shadow_waves;       /* the same by the slopes of the waves, below it */
+uniform int shadow_taps;
+
+/* Where light to a point passes the rest surface. */
+vec2 shadow_crossing(vec3 point, vec3 to_sun)
+{
+    vec2 slant = point.y > 0.0 ? to_sun.xz / to_sun.y : sun_way.xz / sun_way.y;
+    return point.xz - slant * point.y;
+}
+
+/* A number from 0 to 1 for each pixel (interleaved gradient noise, Jimenez 2014). */
+float shadow_noise()
+{
+    return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+}
+
+float shadow_height(vec2 place)
+{
+    return shadow_span.x + shadow_span.y * (1.0 - textureLod(shadow_heights, place, 0.0).r);
+}
+
+/* How far around a place the light of a point is spread that something `above` m higher may stand in. */
+float shadow_radius(vec3 point, float above)
+{
+    float wet = clamp(-point.y, 0.0, above);
+    return (above - wet) * shadow_disc + wet * shadow_waves;
+}
+
+/* How much higher the surface at a point is where light passes a metre beside its own, along x and z. */
+vec2 shadow_rise(vec3 normal, vec2 slant)
+{
+    float facing = normal.y + dot(normal.xz, slant);
+    return -normal.xz / max(facing, 0.15);
+}
+
+/* The share of the sun that a point sees. Points around its light's place, on a spiral of equal areas (Vogel 1979), ask
+ * first how high what stands in the way is, then how much of the light it covers. */
+float shadow_light(vec3 point, vec3 normal, vec3 to_sun)
+{
+    const mat2 turn = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688); /* by the golden angle */
+    if (shadow_span.y == 0.0)
+        return 1.0;
+    float texel = max(shadow_square.z, shadow_square.w) / float(textureSize(shadow_heights, 0).x);
+    vec2 rise = shadow_rise(normal, point.y > 0.0 ? to_sun.xz / to_sun.y : sun_way.xz / sun_way.y);
+    vec2 place = (shadow_crossing(point, to_sun) - shadow_square.xy) / shadow_square.zw;
+    float most = shadow_span.x + shadow_span.y - point.y, angle = 6.2831853 * shadow_noise();
+    if (most <= 0.0 || any(lessThan(place, vec2(0.0))) || any(greaterThan(place, vec2(1.0))))
+        return 1.0;
+    float bias = point.y + texel * (1.0 + length(rise)), radius = max(shadow_radius(point, most), texel), covered = 0.0, heights = 0.0;
+    vec2 first = vec2(cos(angle), sin(angle)), direction = first;
+    for (int i = 0; i < 4; i++) {
+        vec2 away = direction * sqrt((float(i) + 0.5) / 4.0) * radius;
+        float height = shadow_height(place + away / shadow_square.zw);
+        float hidden = step(bias + dot(rise, away), height);
+        covered += hidden;
+        heights += hidden * height;
+        direction = turn * direction;
+    }
+    if (covered == 0.0)
+        return 1.0;
+    radius = max(shadow_radius(point, heights / covered - point.y), texel);
+    direction = first;
+    covered = 0.0;
+    for (int i = 0; i < shadow_taps; i++) {
+        vec2 away = direction * sqrt((float(i) + 0.5) / float(shadow_taps)) * radius;
+        covered += step(bias + dot(rise, away), shadow_height(place + away / shadow_square.zw));
+        direction = turn * direction;
+    }
+    return 1.0 - covered / float(shadow_taps);
+}

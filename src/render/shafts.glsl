@@ -1,0 +1,57 @@
+/* Light shafts: how much more or less than under flat water the sun's light is along each sight, scattered to the eye. */
+#include "gpu/screen.glsl"
+
+#ifdef FRAGMENT
+#include "render/view.glsl"
+#include "render/shadow.glsl"
+uniform sampler2DArray light_texels; /* as in light/map.glsl */
+uniform int light_channels;
+uniform vec3 light_window, light_step;
+uniform float tile_size, tile_depth; /* m */
+uniform sampler2D direct_depth;
+uniform vec3 to_sun;
+uniform sampler2D noise; /* blue */
+uniform int steps;
+uniform float pixel;     /* m that a texel of this picture is wide, for each m of way */
+out vec4 color;
+
+/* The sun's light at a point in units of flat water's, by the nearest layer along its way; `width` m around. */
+vec3 light_here(vec3 point, float width, float random)
+{
+    float count = float(textureSize(light_texels, 0).z), height = (1.0 + point.y / tile_depth) * count;
+    float layer = clamp(floor(height + random), 0.0, count - 1.0);
+    vec2 slant = sun_way.xz / -sun_way.y * tile_depth / tile_size;
+    vec2 place = point.xz / tile_size + 0.5 + slant * (height - layer) / count;
+    place = (place - light_window.xy - layer * light_step.xy) / light_window.z;
+    float texels = width * float(textureSize(light_texels, 0).x) / tile_size;
+    vec3 light = textureLod(light_texels, vec3(place, layer), max(log2(texels), 0.0)).rgb;
+    return light_channels == 1 ? light.rrr : light;
+}
+
+bool solid_before_sun(vec3 point)
+{
+    vec2 place = (shadow_crossing(point, to_sun) - shadow_square.xy) / shadow_square.zw;
+    bool inside = shadow_span.y > 0.0 && all(greaterThan(place, vec2(0.0))) && all(lessThan(place, vec2(1.0)));
+    return inside && shadow_height(place) > point.y;
+}
+
+void main()
+{
+    vec3 ray = view_ray(target);
+    float depth = textureLod(direct_depth, target, 0.0).r, end = depth < 1.0 ? view_way(depth, ray) : planes.y;
+    if (ray.y > 0.0)
+        end = min(end, -eye.y / ray.y);
+    /* Where the water has taken all but a thousandth there is nothing to see. */
+    float clearest = min(min(extinction.r, extinction.g), extinction.b), reach = min(end, 7.0 / max(clearest, 1e-3));
+    vec2 random = texelFetch(noise, ivec2(gl_FragCoord.xy) & 63, 0).rg;
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < steps; i++) {
+        /* steps as short near the eye as the texels are small there: way = reach x² */
+        float x = (float(i) + random.x) / float(steps), way = reach * x * x, step_way = 2.0 * reach * x / float(steps);
+        vec3 point = eye + ray * way;
+        vec3 light = solid_before_sun(point) ? vec3(0.0) : light_here(point, max(way * pixel, 0.5 * step_way * 0.1), random.y);
+        sum += (light - 1.0) * volume_sun(max(-point.y, 0.0)) * exp(-extinction * way) * step_way;
+    }
+    color = vec4(scattering * sun_below * optics_phase(dot(sun_way, -ray), asymmetry) * sum, end);
+}
+#endif

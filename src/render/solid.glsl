@@ -1,0 +1,47 @@
+/* Solids: rocks, plants, walls and what else the scene's objects are. */
+#include "render/view.glsl"
+
+uniform int layer;
+
+#ifdef VERTEX
+#include "render/solid_vertex.glsl"
+layout(location = 2) in vec3 vertex_color;
+layout(location = 3) in vec2 vertex_place;
+layout(location = 5) in vec3 vertex_ambient;
+out vec3 position, normal, base, ambient;
+out vec2 place;
+
+void main()
+{
+    position = solid_position();
+    normal = vertex_normal;
+    base = vertex_color;
+    ambient = vertex_ambient;
+    place = vertex_place;
+    gl_Position = view_projection * vec4(view_apparent(position, layer), 1.0);
+}
+#else
+#include "render/receiver.glsl"
+#include "scene/pattern.glsl"
+uniform float layer_wet; /* 1: what is in the water is drawn, -1: what is not */
+uniform int two_sided;
+uniform int pattern; /* of the part: scene/world.h */
+uniform float pattern_size;
+uniform vec3 pattern_joint;
+in vec3 position, normal, base, ambient;
+in vec2 place;
+out vec4 color;
+
+void main()
+{
+    vec3 facing = normalize(normal);
+    if (two_sided != 0 && dot(facing, eye - position) < 0.0)
+        facing = -facing;
+    vec3 reflectance = pattern_color(pattern, pattern_size, pattern_joint, base, place, fwidth(place));
+    bool wet = waves_wet(position);
+    vec3 radiance = receiver_radiance(position, facing, reflectance, ambient, wet);
+    if (wet != (layer_wet > 0.0))
+        discard;
+    color = vec4(radiance, 1.0);
+}
+#endif

@@ -1,0 +1,49 @@
+#include "render/tone.h"
+
+#include <math.h>
+
+bool tone_ready(struct dpl_gl *gl, struct tone *tone, int width, int height)
+{
+    texture_resize(gl, &tone->mean, GL_RGBA16F, width, height, TEXTURE_CLAMP, TEXTURE_NEAREST);
+    return target_resize(gl, &tone->radiance, GL_RGBA16F, width, height, 1) &&
+           program_ready(gl, &tone->add, "render/tone_add.glsl", "") &&
+           program_ready(gl, &tone->show, "render/tone.glsl", "");
+}
+
+/* A lattice that fills the pixel evenly for every count (Roberts 2018). */
+void tone_place(int index, int count, double place[2])
+{
+    place[0] = count == 1 ? 0 : fmod(0.5 + 0.7548776662466927 * index, 1) - 0.5;
+    place[1] = count == 1 ? 0 : fmod(0.5 + 0.5698402909980532 * index, 1) - 0.5;
+}
+
+void tone_add(struct dpl_gl *gl, struct tone *tone, int index)
+{
+    texture_draw_to(gl, &tone->mean);
+    program_use(gl, &tone->add);
+    texture_bind(gl, &tone->radiance.color, 0);
+    program_int(gl, &tone->add, "radiance", 0);
+    program_float(gl, &tone->add, "share", 1.0 / (index + 1));
+    gl->Enable(GL_BLEND);
+    gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    gpu_draw_screen(gl);
+    gl->Disable(GL_BLEND);
+}
+
+void tone_show(struct dpl_gl *gl, struct tone *tone, double exposure, int curve)
+{
+    program_use(gl, &tone->show);
+    texture_bind(gl, &tone->mean, 0);
+    program_int(gl, &tone->show, "radiance", 0);
+    program_float(gl, &tone->show, "exposure", M_PI * exp2(exposure));
+    program_int(gl, &tone->show, "filmic", curve == SCENE_TONE_FILMIC);
+    gpu_draw_screen(gl);
+}
+
+void tone_finish(struct dpl_gl *gl, struct tone *tone)
+{
+    target_finish(gl, &tone->radiance);
+    texture_finish(gl, &tone->mean);
+    program_finish(gl, &tone->add);
+    program_finish(gl, &tone->show);
+}

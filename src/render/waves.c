@@ -1,0 +1,46 @@
+#include "render/waves.h"
+
+enum { UNIT_SURFACE };
+
+bool waves_update(struct waves *waves, const struct frame *frame)
+{
+    struct dpl_gl *gl = frame->gl;
+    const struct surface_gpu *surface = frame->above;
+    if (!program_ready(gl, &waves->make, "render/waves_make.glsl", ""))
+        return false;
+    texture_resize(gl, &waves->texels, GL_RGBA16F, surface->texels.width, surface->texels.height,
+                   surface->periodic ? TEXTURE_REPEAT : TEXTURE_CLAMP, TEXTURE_MIPMAP);
+    texture_draw_to(gl, &waves->texels);
+    program_use(gl, &waves->make);
+    surface_gpu_bind(gl, surface, &waves->make, UNIT_SURFACE);
+    gpu_draw_screen(gl);
+    texture_make_mipmaps(gl, &waves->texels);
+    return true;
+}
+
+double waves_extent(const struct frame *frame)
+{
+    const struct scene_settings *settings = &frame->scene->settings;
+    if (settings->extent > 0)
+        return settings->extent / 2;
+    return frame->above->periodic ? 0 : settings->size / 2;
+}
+
+void waves_bind(const struct waves *waves, const struct frame *frame, const struct gpu_program *program, int unit)
+{
+    struct dpl_gl *gl = frame->gl;
+    const struct surface_gpu *surface = frame->above;
+    int cells = surface->texels.width - (surface->periodic ? 0 : 1);
+    texture_bind(gl, &waves->texels, (GLenum)unit);
+    program_int(gl, program, "waves_texels", unit);
+    program_float(gl, program, "waves_size", surface->size);
+    program_float(gl, program, "waves_spacing", surface->size / cells);
+    program_float(gl, program, "waves_extent", waves_extent(frame));
+    program_float(gl, program, "waves_roughness", frame->scene->medium.roughness * frame->scene->medium.roughness);
+}
+
+void waves_finish(struct waves *waves, struct dpl_gl *gl)
+{
+    program_finish(gl, &waves->make);
+    texture_finish(gl, &waves->texels);
+}
