@@ -49,7 +49,7 @@ static void add_band(struct world_builder *builder, const double size[3], const 
             double share = (double)j / (rows - 1), point[3];
             double along = (double)(turned ? COLUMNS - 1 - i : i) / (COLUMNS - 1);
             double away = off[0] + share * (off[1] - off[0]), high = up[0] + share * (up[1] - up[0]);
-            point_off(size, along, high, away * fmin(1, 0.1 + 12 * (1 - along)), half, point);
+            point_off(size, along, high, away * fmin(1, 0.1 + 12 * fmin(along, 1 - along)), half, point);
             struct world_vertex v = {.place = {(float)(size[0] * along), (float)(0.7 * size[2] * high)}};
             for (int c = 0; c < 3; c++) {
                 v.position[c] = (float)point[c];
