@@ -183,6 +183,7 @@ bool stone_build(struct world_builder *builder, const struct scene_object *objec
     int first_index = builder->index_count, first = icosphere_add(builder, style->divisions);
     if (!builder_ok(builder))
         return false;
+#pragma omp parallel for schedule(static)
     for (int v = first; v < builder->vertex_count; v++) {
         struct world_vertex *vertex = builder->vertices + v;
         const double direction[3] = {vertex->position[0], vertex->position[1], vertex->position[2]};
