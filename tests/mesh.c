@@ -166,6 +166,38 @@ static void normals_are_kept_or_made_smooth(void **state)
         assert_true(fabsf(mesh->normals[v][0] - 0.6f) < 1e-6f && fabsf(mesh->normals[v][1] - 0.8f) < 1e-6f);
 }
 
+static double area_of(const struct io_mesh *mesh, int first_index)
+{
+    double area = 0;
+    for (int i = first_index; i < mesh->index_count; i += 3) {
+        const float *p[3];
+        for (int k = 0; k < 3; k++)
+            p[k] = mesh->positions[mesh->indices[i + k]];
+        area += 0.5 * (double)((p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]));
+    }
+    return area;
+}
+
+/* A comb, whose corners lie in all ways; every triangle goes round as it does, and together they fill it. */
+static void hollow_faces_are_cut(void **state)
+{
+    struct fixture *fixture = *state;
+    char text[2048];
+    int length = 0, corners = 0;
+    for (int tooth = 0; tooth < 8; tooth++, corners += 4) /* 1 wide, 1 apart; between them the comb is 1 high */
+        length += snprintf(text + length, sizeof text - (size_t)length, "v %d 3 0\nv %d 3 0\nv %d 1 0\nv %d 1 0\n",
+                           -2 * tooth, -2 * tooth - 1, -2 * tooth - 1, -2 * tooth - 2);
+    length += snprintf(text + length, sizeof text - (size_t)length, "v -16 0 0\nv 0 0 0\nf");
+    for (int i = 1; i <= corners + 2; i++)
+        length += snprintf(text + length, sizeof text - (size_t)length, " %d", i);
+    write_text(fixture, "a.obj", text);
+    const struct io_mesh *mesh = read_mesh(fixture);
+    assert_int_equal(mesh->index_count, 3 * corners);
+    assert_true(fabs(area_of(mesh, 0) - (16 + 8 * 2)) < 1e-4);
+    for (int i = mesh->index_count - 3; i >= 0; i -= 3)
+        assert_true(area_of(mesh, i) - area_of(mesh, i + 3) > -1e-6);
+}
+
 static void colors_are_those_of_materials(void **state)
 {
     struct fixture *fixture = *state;
@@ -325,6 +357,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(all_formats_give_the_same, setup, teardown),
         cmocka_unit_test_setup_teardown(nodes_place_what_they_hold, setup, teardown),
         cmocka_unit_test_setup_teardown(normals_are_kept_or_made_smooth, setup, teardown),
+        cmocka_unit_test_setup_teardown(hollow_faces_are_cut, setup, teardown),
         cmocka_unit_test_setup_teardown(colors_are_those_of_materials, setup, teardown),
         cmocka_unit_test_setup_teardown(files_beside_it_are_read_and_no_others, setup, teardown),
         cmocka_unit_test_setup_teardown(broken_text_is_refused, setup, teardown),

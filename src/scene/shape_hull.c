@@ -35,7 +35,7 @@ static void point_off(const double size[3], double along, double up, double off,
     hull_point(size, along, up, point);
     for (int c = 0; c < 3 && length > 0; c++)
         point[c] += off * normal[c] / sqrt(length);
-    point[2] = half * fmax(point[2], 0);
+    point[2] = half * fmax(point[2], 1e-3 * up * size[2]); /* the halves do not cross */
 }
 
 /* Rows of vertices from the transom to the stem, between two heights and two ways off the surface; smooth. */
@@ -49,7 +49,7 @@ static void add_band(struct world_builder *builder, const double size[3], const 
             double share = (double)j / (rows - 1), point[3];
             double along = (double)(turned ? COLUMNS - 1 - i : i) / (COLUMNS - 1);
             double away = off[0] + share * (off[1] - off[0]), high = up[0] + share * (up[1] - up[0]);
-            point_off(size, along, high, away * fmin(1, 12 * (1 - along)), half, point);
+            point_off(size, along, high, away * fmin(1, 0.1 + 12 * fmin(along, 1 - along)), half, point);
             struct world_vertex v = {.place = {(float)(size[0] * along), (float)(0.7 * size[2] * high)}};
             for (int c = 0; c < 3; c++) {
                 v.position[c] = (float)point[c];
@@ -75,14 +75,14 @@ static void add_side(struct world_builder *builder, const struct scene_object *o
     add_band(builder, size, (double[2]){0.02, 1}, (double[2]){inner, inner}, 3 * STRAKES, half, true, wood_color);
 }
 
-/* The flat end at the stern, seen from outside, and `ahead` of that from inside. */
+/* The flat end at the stern, from the keel up, seen from outside, and `ahead` of that from inside. */
 static void add_transom(struct world_builder *builder, const struct scene_object *object, double ahead)
 {
     const int rows = 2 * STRAKES + 1, columns = 9;
     int vertex = builder->vertex_count, index = builder->index_count;
     for (int j = 0; j < rows; j++) {
         for (int i = 0; i < columns; i++) {
-            double up = (double)j / (rows - 1), across = 2.0 * i / (columns - 1) - 1, point[3];
+            double up = 0.02 + 0.98 * j / (rows - 1), across = 2.0 * i / (columns - 1) - 1, point[3];
             hull_point(object->size, 0, up, point);
             const double *color = ahead > 0                     ? wood_color
                                   : j < rows * BOTTOM / STRAKES ? object->second_color
@@ -117,10 +117,11 @@ static void add_timbers(struct world_builder *builder, const struct scene_object
         }
         piece_tube(builder, (const double(*)[3])line, COLUMNS, thick, 10, trim_color);
     }
-    hull_point(object->size, 0, 1, line[0]);
-    for (int c = 0; c < 3; c++)
-        line[1][c] = c == 2 ? -line[0][c] : line[0][c];
-    piece_tube(builder, (const double(*)[3])line, 2, thick, 10, trim_color);
+    for (int i = 0; i < 13; i++) { /* along the top of the transom */
+        hull_point(object->size, 0, 1, line[i]);
+        line[i][2] *= 1 - i / 6.0;
+    }
+    piece_tube(builder, (const double(*)[3])line, 13, thick, 10, trim_color);
 }
 
 /* Boards along the bottom, as wide as the hull is there. */
