@@ -106,7 +106,7 @@ bool traced_world_make(struct traced_world *traced, const struct dpl_scene *scen
     *camera = (struct camera_world){
         .size = scene->settings.size,
         .depth = scene->settings.depth,
-        .endless = periodic && !scene->settings.bounded,
+        .endless = periodic && scene->settings.edge == SCENE_EDGE_OPEN,
         .solids = {.vertex_count = solids->vertex_count,
                    .triangle_count = solids->index_count / 3,
                    .positions = traced->positions,
