@@ -145,8 +145,8 @@ static void the_scene_follows_the_clock(void **state)
 /* Every technique's light is that of the angles at which the clock puts the sun, to the byte. */
 static void light_follows_the_clock(void **state)
 {
-    static const char text[] = "[scene]\nsize = 2\n[wave.1]\namplitude = 0.02\ncycles = 1 1\n[caustics]\nmap = 32\n"
-                               "mesh = 32\n[sun]\nangular_radius = 3\ndate = 2024 3 2\nhour = 9\nlatitude = 40\n";
+    static const char text[] = "[scene]\nsize = 2\n[wave.1]\namplitude = 0.06\ncycles = 3 0\n[caustics]\nmap = 64\n"
+                               "[sun]\nangular_radius = 5\ndate = 2024 3 2\nhour = 11\nlatitude = 40\n";
     (void)state;
     for (int t = 0; light_techniques[t]; t++) {
         struct support_log log;
@@ -164,7 +164,7 @@ static void light_follows_the_clock(void **state)
             support_set(scene, "sun.elevation", "%.17g", elevation);
             support_set(scene, "sun.azimuth", "%.17g", azimuth);
             maps[1] = dpl_renderer_map(renderer, scene, 0);
-            assert_memory_equal(maps[0]->pixels, maps[1]->pixels, 32 * 32 * 3 * sizeof(float));
+            assert_memory_equal(maps[0]->pixels, maps[1]->pixels, 64 * 64 * 3 * sizeof(float));
         }
         for (int m = 0; m < 2; m++)
             dpl_image_destroy(maps[m]);
