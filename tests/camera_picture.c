@@ -152,7 +152,7 @@ static void caustics_are_those_that_were_counted(void **state)
 {
     struct place *place = *state;
     struct wave wave = {{4, 2}, 0.05, 0, 0, 0};
-    struct optics_sun sun = {60, 30, 0.2665};
+    struct optics_sun sun = {.elevation = 60, .azimuth = 30, .angular_radius = 0.2665};
     struct water_medium medium = {.ior = 1.333, .absorption = {0.35, 0.07, 0.03}};
     struct water_setup setup_ = {.size = 4, .depth = 1, .waves = &wave, .wave_count = 1};
     const double receiver = -1;
