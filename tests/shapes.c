@@ -238,6 +238,18 @@ static void solids_are_closed(void **state)
     }
 }
 
+/* So thin that chance does not find them: a ladder's feet, which end behind the tubes. */
+static void tubes_have_ends(void **state)
+{
+    const struct world *world = build(*state, "ladder", (const double[3]){0.6, 1.8, 0.5});
+    for (int side = -1; side <= 1; side += 2) {
+        const double from[3] = {0.28 * side + 0.003, 0.025, -5}, way[3] = {0.0001, 0.0002, 1};
+        const struct crossing crossing = cross_ray(world, from, way);
+        assert_int_equal(crossing.first, 1);
+        assert_int_equal(crossing.sides, 0);
+    }
+}
+
 /* Of a boat, the outside shows planks, and from above one sees into it. */
 static void a_hull_has_two_sides(void **state)
 {
@@ -264,7 +276,7 @@ static void a_mesh_is_scaled_to_fit(void **state)
     EXPECT_ERROR(&fixture->log, DPL_REASON_VALUE, "object.a.file", ".obj");
     support_set(fixture->scene, "object.a.file", "%s", path);
     support_set(fixture->scene, "object.a.color", "0.25 0.5 1");
-    const struct world *world = build(fixture, "mesh", (const double[3]){3, 3, 2});
+    const struct world *world = build(fixture, "mesh", (const double[3]){3, 0.5, 4});
     const double low[3] = {-0.5, 0, -1}, high[3] = {0.5, 0.5, 1};
     for (int c = 0; c < 3; c++) {
         if (!(fabs(world->low[c] - low[c]) < 1e-6 && fabs(world->high[c] - high[c]) < 1e-6))
@@ -286,6 +298,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(a_hall_is_open_at_its_windows, setup, teardown),
         cmocka_unit_test_setup_teardown(a_cave_is_open_at_its_mouth, setup, teardown),
         cmocka_unit_test_setup_teardown(solids_are_closed, setup, teardown),
+        cmocka_unit_test_setup_teardown(tubes_have_ends, setup, teardown),
         cmocka_unit_test_setup_teardown(a_hull_has_two_sides, setup, teardown),
         cmocka_unit_test_setup_teardown(a_mesh_is_scaled_to_fit, setup, teardown),
     };
