@@ -163,6 +163,26 @@ static void shapes_fit_their_size(void **state)
     }
 }
 
+/* The smallest size and a very large one: however it looks, it is made of numbers. */
+static void any_size_is_built(void **state)
+{
+    static const double sizes[][3] = {{0.001, 0.001, 0.001}, {60, 20, 60}, {20, 0.01, 0.01}, {0.01, 5, 0.01}};
+    struct fixture *fixture = *state;
+    for (int s = 0; s < SHAPES; s++)
+        for (int i = 0; i < 4; i++) {
+            const struct world *world = build(fixture, shapes[s].shape, sizes[i]);
+            for (int v = 0; v < world->vertex_count; v++) {
+                double length = 0;
+                for (int c = 0; c < 3; c++) {
+                    length += (double)world->vertices[v].normal[c] * (double)world->vertices[v].normal[c];
+                    assert_true(isfinite(world->vertices[v].position[c]) && isfinite(world->vertices[v].color[c]));
+                }
+                if (!(fabs(length - 1) < 1e-3))
+                    fail_msg("%s: size %d: a normal of length %g", shapes[s].shape, i, sqrt(length));
+            }
+        }
+}
+
 /* A ray meets so many triangles at least, the first from the front. */
 static void expect_seen(const struct world *world, const double from[3], const double way[3], int least,
                         const char *what)
@@ -294,6 +314,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(shapes_fit_their_size, setup, teardown),
+        cmocka_unit_test_setup_teardown(any_size_is_built, setup, teardown),
         cmocka_unit_test_setup_teardown(a_basin_faces_its_water, setup, teardown),
         cmocka_unit_test_setup_teardown(a_hall_is_open_at_its_windows, setup, teardown),
         cmocka_unit_test_setup_teardown(a_cave_is_open_at_its_mouth, setup, teardown),
