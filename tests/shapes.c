@@ -166,7 +166,7 @@ static void shapes_fit_their_size(void **state)
 /* The smallest size and a very large one: however it looks, it is made of numbers. */
 static void any_size_is_built(void **state)
 {
-    static const double sizes[][3] = {{0.001, 0.001, 0.001}, {60, 20, 60}, {20, 0.01, 0.01}, {0.01, 5, 0.01}};
+    static const double sizes[][3] = {{0.001, 0.001, 0.001}, {25, 8, 25}, {20, 0.01, 0.01}, {0.01, 5, 0.01}};
     struct fixture *fixture = *state;
     for (int s = 0; s < SHAPES; s++)
         for (int i = 0; i < 4; i++) {
