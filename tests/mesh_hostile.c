@@ -10,7 +10,7 @@
 #define CHANGES 500 /* a format */
 
 /* Asked by LeakSanitizer: assimp 5.2 itself loses what it has of some files that it refuses. */
-const char *__lsan_default_suppressions(void);
+__attribute__((visibility("default"))) const char *__lsan_default_suppressions(void);
 const char *__lsan_default_suppressions(void)
 {
     return "leak:libassimp.so";

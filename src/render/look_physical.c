@@ -20,10 +20,10 @@ static const struct dpl_param params[] = {
 };
 
 static const struct quality qualities[] = {
-    {1024, 4, 12, 3, 2, 128},
-    {2048, 8, 20, 2, 2, 256},
-    {4096, 12, 32, 2, 1, 512},
-    {4096, 24, 64, 1, 1, 1024},
+    {1024, 4, 12, 3, 2, 128, 1},
+    {2048, 8, 20, 2, 2, 256, 1},
+    {4096, 12, 32, 2, 1, 512, 2},
+    {4096, 24, 64, 1, 1, 1024, 3},
 };
 
 /* The sky as a texture, with smaller levels for what rough water mirrors of it. */
@@ -100,6 +100,8 @@ static void draw_sea(const struct physical *physical, const struct frame *frame,
     physical_bind(physical, frame, program);
     physical_bind_layers(physical, frame, program);
     program_int(gl, program, "blind", blind);
+    program_int(gl, program, "look_ups", physical->quality.look_ups);
+    program_int(gl, program, "mirrored_there", physical->sight.side < 0 || physical->world.high[1] > 0);
     if (physical->sight.pane) { /* it is drawn into this layer */
         texture_bind(gl, &physical->layers[LAYER_DIRECT].color, UNIT_THROUGH_COLOR);
         texture_bind(gl, &physical->layers[LAYER_DIRECT].depth, UNIT_THROUGH_DEPTH);

@@ -57,9 +57,11 @@ struct physical_light {
     double floor_radiance[3]; /* of the flat floor under flat water */
 };
 
+/* How much work a picture is worth. */
 struct quality {
-    int shadow_side, shadow_taps, shaft_steps, shaft_share, mirror_share,
-        ambient_rays; /* share: of the picture's side, 1 / share */
+    int shadow_side, shadow_taps;
+    int shaft_steps, shaft_share, mirror_share; /* share: these layers' sides are the picture's, divided by it */
+    int ambient_rays, look_ups;
 };
 
 struct shadow {

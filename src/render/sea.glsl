@@ -16,7 +16,7 @@ void main()
     if (rings_extent > 0.0)
         xz = clamp(xz, vec2(-rings_extent), vec2(rings_extent));
     position = vec3(xz.x, waves_height(xz, log2(max(spacing / waves_spacing, 1.0))), xz.y);
-    gl_Position = view_projection * vec4(pane != 0 ? view_through(position) : position, 1.0);
+    gl_Position = view_projection * vec4(pane != 0 ? view_through(position, -1.0) : position, 1.0);
     gl_Position.z = min(gl_Position.z, 0.999999 * gl_Position.w); /* the horizon lies beyond the far plane */
 }
 #else
@@ -27,6 +27,8 @@ void main()
 #include "render/shafts_read.glsl"
 uniform sampler2D direct_depth, through_color, through_depth, mirror_color, mirror_depth;
 uniform vec2 picture;         /* pixels */
+uniform int look_ups;         /* times that a layer is asked where a ray goes */
+uniform int mirrored_there;   /* 0: nothing stands on this side of the water */
 uniform int blind;            /* the layers do not show what is seen from here: open water, and the sky */
 uniform float tile_floor;     /* m, y of the floor */
 uniform vec3 floor_radiance;  /* of the floor where it is not in the picture */
@@ -44,13 +46,16 @@ vec3 slope_here()
 vec4 layer_color(sampler2D colors, sampler2D depths, int layer, vec3 ray, out float way)
 {
     vec2 place = gl_FragCoord.xy / picture;
-    for (int i = 0; i < 3; i++) {
-        float depth = texture(depths, place).r, height = view_point(place, depth, layer).y - position.y;
-        way = depth < 1.0 ? clamp(height / ray.y, 0.0, planes.y) : planes.y;
-        vec2 next = view_place(view_apparent(position + ray * way, layer));
-        if (i < 2)
-            place = clamp(next.x < 0.0 ? place : next, vec2(0.0), vec2(1.0));
+    float depth = texture(depths, place).r;
+    for (int i = 0; i < look_ups; i++) {
+        vec3 shown = view_point(place, depth, layer), apparent;
+        way = depth < 1.0 ? clamp((shown.y - position.y) / ray.y, 0.0, planes.y) : planes.y;
+        float before = view_plane(view_ray(place)), share = before / max(before + distance(shown, position), 1e-3);
+        vec2 next = view_place(view_apparent(position + ray * way, layer, clamp(share, 0.0, 1.0)));
+        place = clamp(next.x < 0.0 ? place : next, vec2(0.0), vec2(1.0));
+        depth = texture(depths, place).r;
     }
+    way = depth < 1.0 ? clamp((view_point(place, depth, layer).y - position.y) / ray.y, 0.0, planes.y) : planes.y;
     return texture(colors, place);
 }
 
@@ -94,7 +99,7 @@ vec3 from_above(vec3 to_eye, vec3 normal, vec3 slope)
     vec3 back = optics_reflect(to_eye, normal), into = optics_refract(to_eye, normal, ior);
     back = normalize(vec3(back.x, abs(back.y) + 1e-3, back.z));
     float share = reflectance(max(dot(to_eye, normal), 0.0), ior, roughness);
-    vec4 mirrored = blind != 0 ? vec4(0.0) : layer_color(mirror_color, mirror_depth, LAYER_MIRROR, back, way);
+    vec4 mirrored = blind != 0 || mirrored_there == 0 ? vec4(0.0) : layer_color(mirror_color, mirror_depth, LAYER_MIRROR, back, way);
     vec3 thrown = mirrored.rgb + (1.0 - mirrored.a) * sky_radiance(back, 2.0 * roughness);
     vec4 below = layer_color(through_color, through_depth, LAYER_THROUGH, into, way);
     vec3 let = below.a > 0.0 && blind == 0 ? below.rgb * exp(-extinction * way) + volume_glow(position, into, way) : open_water(into);

@@ -18,11 +18,11 @@ uniform int pane;         /* the plane is a pane: what is mirrored in the rest s
 
 /* How far off along the plane sight of a point passes it: `level` m from the foot of the eye to that of the point, `before`
  * and `beyond` from the plane to each. By Snell's law s / |s, before| = index (level - s) / |level - s, beyond|, whose left side
- * less its right one grows with s; Newton's method from its paraxial solution, kept between the ends. */
-float view_crossing(float level, float before, float beyond)
+ * less its right one grows with s; Newton's method from `guess`, a share of the level, kept between the ends. */
+float view_crossing(float level, float before, float beyond, float guess, int steps)
 {
-    float s = level * plane_index * before / (plane_index * before + beyond);
-    for (int i = 0; i < 5; i++) {
+    float s = level * guess;
+    for (int i = 0; i < steps; i++) {
         float rest = level - s, in_front = inversesqrt(s * s + before * before);
         float behind = inversesqrt(rest * rest + beyond * beyond);
         float error = s * in_front - plane_index * rest * behind;
@@ -34,15 +34,15 @@ float view_crossing(float level, float before, float beyond)
 }
 
 /* Where a point beyond the plane seems to be: on the straight ray to where its sight passes the plane, as far off as its
- * light has come. */
-vec3 view_through(vec3 point)
+ * light has come. `guess`: the share of its level way before the plane; below 0: not known. */
+vec3 view_through(vec3 point, float guess)
 {
     float before = max(dot(plane.xyz, eye) - plane.w, 1e-4), beyond = plane.w - dot(plane.xyz, point);
     vec3 across = point - eye + plane.xyz * (before + beyond);
-    float level = length(across);
+    float level = length(across), paraxial = plane_index * before / (plane_index * before + beyond);
     if (beyond <= 0.0 || level < 1e-5)
         return point;
-    float s = view_crossing(level, before, beyond);
+    float s = view_crossing(level, before, beyond, guess < 0.0 ? paraxial : guess, guess < 0.0 ? 5 : 2);
     vec3 ray = normalize(across * (s / level) - plane.xyz * before);
     return eye + ray * (length(vec2(s, before)) + length(vec2(level - s, beyond)));
 }
@@ -52,11 +52,11 @@ bool view_bends(int layer)
     return layer == LAYER_THROUGH || (layer == LAYER_MIRROR && pane != 0);
 }
 
-vec3 view_apparent(vec3 point, int layer)
+vec3 view_apparent(vec3 point, int layer, float guess)
 {
     if (layer == LAYER_MIRROR)
         point.y = -point.y;
-    return view_bends(layer) ? view_through(point) : point;
+    return view_bends(layer) ? view_through(point, guess) : point;
 }
 
 /* The place in the picture, 0 to 1, of an apparent point; (-1, -1) behind the eye. */
