@@ -12,7 +12,8 @@ static int setup(void **state)
 {
     struct fixture *fixture = calloc(1, sizeof *fixture);
     fixture->scene = dpl_scene_create(support_log_start(&fixture->log));
-    support_set(fixture->scene, "wave.1.phase", "0"); /* so that the waves' table is met as well */
+    support_set(fixture->scene, "wave.1.phase", "0"); /* so that the waves' table is met as well, and the objects' */
+    support_set(fixture->scene, "object.a.seed", "1");
     *state = fixture;
     return 0;
 }

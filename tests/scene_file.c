@@ -138,15 +138,18 @@ static void any_scene_is_the_same_after_saving(void **state)
         char key[32];
         snprintf(key, sizeof key, "wave.%d.phase", 1 + i * 3);
         support_set(fixture->scene, key, "0");
+        snprintf(key, sizeof key, "object.n%d.seed", i);
+        support_set(fixture->scene, key, "1");
         set_everything(fixture, &random);
         support_set(fixture->scene, "water.model", i % 2 ? "sines" : "collard");
         expect_same_after_saving(fixture);
     }
 }
 
-static void a_wave_of_defaults_is_kept(void **state)
+static void a_wave_and_an_object_of_defaults_are_kept(void **state)
 {
     struct fixture *fixture = *state;
+    support_set(fixture->scene, "object.a.turn", "0");
     support_set(fixture->scene, "wave.5.phase", "0");
     support_set(fixture->scene, "water.model", "collard");
     expect_same_after_saving(fixture);
@@ -282,7 +285,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(built_in_scenes_are_the_same_after_saving, setup, teardown),
         cmocka_unit_test_setup_teardown(any_scene_is_the_same_after_saving, setup, teardown),
-        cmocka_unit_test_setup_teardown(a_wave_of_defaults_is_kept, setup, teardown),
+        cmocka_unit_test_setup_teardown(a_wave_and_an_object_of_defaults_are_kept, setup, teardown),
         cmocka_unit_test_setup_teardown(text_that_a_scene_cannot_hold_is_refused, setup, teardown),
         cmocka_unit_test_setup_teardown(files_that_cannot_be_read_are_named, setup, teardown),
         cmocka_unit_test_setup_teardown(a_file_goes_before_a_built_in_scene, setup, teardown),

@@ -96,6 +96,9 @@ static void texts_are_read(void **state)
         {"[multi-sample]\nsun_map =\n", "multi-sample.sun_map", ""},
         {"[multi-sample]\nsun_map = a  b.png\n", "multi-sample.sun_map", "a  b.png"},
         {"[wave.1]\ncycles = 3 1\n[wave.64]\nphase = 90\n", "wave.64.phase", "90"},
+        {"[object.a]\nturn = 5\n[object.B-2]\nsize = 1 2 3\n[object.a]\ntilt = 7\n", "object.a.turn", "5"},
+        {"[object.a]\nturn = 5\n[object.B-2]\nsize = 1 2 3\n[object.a]\ntilt = 7\n", "object.B-2.size", "1 2 3"},
+        {"[object.a]\n", "object.a.turn", "0"},
     };
     struct fixture *fixture = *state;
     for (size_t i = 0; i < sizeof samples / sizeof *samples; i++) {
@@ -118,12 +121,13 @@ static void a_long_comment_is_no_long_line(void **state)
 static void values_that_are_not_named_get_their_defaults(void **state)
 {
     struct fixture *fixture = *state;
-    assert_true(read_bytes(fixture->scene, "[sun]\nelevation = 5\n[wave.2]\nphase = 1\n", 39));
+    assert_true(read_bytes(fixture->scene, "[sun]\nelevation = 5\n[wave.2]\nphase = 1\n[object.a]\nturn=1\n", 57));
     assert_true(read_bytes(fixture->scene, "[scene]\nsize = 2\n", 17));
     value_is(fixture, "sun.elevation", "60");
     value_is(fixture, "scene.size", "2");
     for (int i = 0; dpl_scene_section(fixture->scene, i).name; i++)
-        assert_true(strncmp(dpl_scene_section(fixture->scene, i).name, "wave.", 5) != 0);
+        assert_true(strncmp(dpl_scene_section(fixture->scene, i).name, "wave.", 5) != 0 &&
+                    strncmp(dpl_scene_section(fixture->scene, i).name, "object.", 7) != 0);
 }
 
 struct refusal {
@@ -157,6 +161,14 @@ static const struct refusal refusals[] = {
     {"[wave.1x]\nphase = 1\n", DPL_REASON_UNKNOWN_SECTION, "pool.ini:1: ", "wave.1x", "wave.1 to wave.64"},
     {"[wave.100]\nphase = 1\n", DPL_REASON_UNKNOWN_SECTION, "pool.ini:1: ", "wave.100", "wave.1 to wave.64"},
     {"[wave]\nphase = 1\n", DPL_REASON_UNKNOWN_SECTION, "pool.ini:1: ", "wave", "wave.1 to wave.64"},
+    {"[object]\nturn = 1\n", DPL_REASON_UNKNOWN_SECTION, "pool.ini:1: ", "object", "object.NAME"},
+    {"[object.]\nturn = 1\n", DPL_REASON_UNKNOWN_SECTION, "pool.ini:1: ", "object.", "object.NAME"},
+    {"[object.a b]\nturn = 1\n", DPL_REASON_UNKNOWN_SECTION, "pool.ini:1: ", "object.a b", "object.NAME"},
+    {"[object.a.b]\nturn = 1\n", DPL_REASON_UNKNOWN_SECTION, "pool.ini:1: ", "object.a.b", "object.NAME"},
+    {"[object.a23456789012345678901234567890123]\n", DPL_REASON_UNKNOWN_SECTION, "pool.ini:1: ", "", "object.NAME"},
+    {"[object.a]\nturn = 361\n", DPL_REASON_RANGE, "pool.ini:2: object.a.turn", "\"361\"", "-360 to 360"},
+    {"[object.a]\nshape = hat\n", DPL_REASON_CHOICE, "pool.ini:2: object.a.shape", "\"hat\"", "one of box, "},
+    {"[object.a]\nhat = 1\n", DPL_REASON_UNKNOWN_KEY, "pool.ini:2: object.a.hat", "\"hat\"", "shape, "},
     {"[sun]\na\v;=5\n", DPL_REASON_SYNTAX, "pool.ini:2: ", "", "key = value"},
     {"\x89PNG\r\n\x1a\n\x01\x02\x03\xff\xfe\n", DPL_REASON_SYNTAX, "pool.ini:", "", ""},
 };
@@ -222,12 +234,58 @@ static void every_number_of_a_wave_is_its_own_section(void **state)
     assert_int_equal(scene_water_setup(fixture->scene, waves).wave_count, WATER_WAVES_MAX);
 }
 
+static void objects_are_as_many_as_there_is_room_for(void **state)
+{
+    static const struct refusal refusal = {NULL, DPL_REASON_LIMIT, "pool.ini:193: ", "object.n64", "at most 64"};
+    struct fixture *fixture = *state;
+    char text[8192] = "", key[32], wanted[32];
+    for (int i = 0; i < SCENE_OBJECTS_MAX; i++)
+        sprintf(text + strlen(text), "[object.n%d]\nturn = %d\nsize = 1 1 1\n", i, i);
+    assert_true(read_bytes(fixture->scene, text, strlen(text)));
+    for (int i = 0; i < SCENE_OBJECTS_MAX; i++) {
+        snprintf(key, sizeof key, "object.n%d.turn", i);
+        snprintf(wanted, sizeof wanted, "%d", i);
+        value_is(fixture, key, wanted);
+    }
+    sprintf(text + strlen(text), "[object.n64]\nturn = 1\n");
+    expect_refused(fixture, text, strlen(text), &refusal);
+    assert_false(dpl_scene_set(fixture->scene, "object.more.turn", "1"));
+    EXPECT_ERROR(&fixture->log, DPL_REASON_LIMIT, "object.more.turn", "at most 64");
+    support_set(fixture->scene, "object.n63.turn", "5");
+    value_is(fixture, "object.n63.turn", "5");
+}
+
+/* A value that is refused makes no object. */
+static void an_object_needs_a_value_that_is_taken(void **state)
+{
+    struct fixture *fixture = *state;
+    assert_false(dpl_scene_set(fixture->scene, "object.a.turn", "north"));
+    EXPECT_ERROR(&fixture->log, DPL_REASON_VALUE, "object.a.turn", "\"north\"");
+    assert_int_equal(fixture->scene->object_count, 0);
+    support_set(fixture->scene, "object.a.turn", "%d", 4);
+    assert_int_equal(fixture->scene->object_count, 1);
+}
+
 /* 1 to 12 changes to a text, each of one of eight kinds. */
 static size_t mutate(uint64_t *random, char *text, size_t length, size_t room)
 {
-    static const char *const pieces[] = {"[",     "]",   "=",  "\n", "\r\n", "[wave.65]\n",  "[wave.7]\ncycles = 2 3\n",
-                                         "1e999", "nan", " #", " ;", "-",    "\xEF\xBB\xBF", "size = 1\n",
-                                         "  ",    "0"};
+    static const char *const pieces[] = {"[",
+                                         "]",
+                                         "=",
+                                         "\n",
+                                         "\r\n",
+                                         "[wave.65]\n",
+                                         "[wave.7]\ncycles = 2 3\n",
+                                         "1e999",
+                                         "nan",
+                                         " #",
+                                         " ;",
+                                         "-",
+                                         "\xEF\xBB\xBF",
+                                         "size = 1\n",
+                                         "  ",
+                                         "0",
+                                         "[object.a]\nsize = 2 1 3\n"};
     for (uint32_t changes = 1 + support_random(random) % 12; changes > 0; changes--) {
         size_t place = length ? support_random(random) % length : 0;
         size_t count = 1 + support_random(random) % 20;
@@ -311,6 +369,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(long_lines_are_refused, setup, teardown),
         cmocka_unit_test_setup_teardown(zero_bytes_are_refused, setup, teardown),
         cmocka_unit_test_setup_teardown(every_number_of_a_wave_is_its_own_section, setup, teardown),
+        cmocka_unit_test_setup_teardown(objects_are_as_many_as_there_is_room_for, setup, teardown),
+        cmocka_unit_test_setup_teardown(an_object_needs_a_value_that_is_taken, setup, teardown),
         cmocka_unit_test_setup_teardown(mutated_texts_never_leave_half_a_scene, setup, teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

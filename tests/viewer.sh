@@ -16,11 +16,11 @@ times=200x220+1048+36         # the times of the passes, which change with every
 scene_menu='180 45'          # the menu; its first line and the distance to the next stand below it
 entry_x=60 entry_y=70 entry_step=17
 save_button='260 91'
-path_header='120 275'
-time_early='100 321 70 321' time_late='70 321 180 321' clear_button='294 298' # below it, while it is open
-depth_from='120 394' depth_to='40 394' # the slider of scene.depth, and of [scene] the button "reset"
-scene_reset='316 348'
-compare_y=321 with_y=344       # the menus of what is compared; their entries stand below as those of the scenes do
+path_header='120 298'
+time_early='100 344 70 344' time_late='70 344 180 344' clear_button='294 321' # below it, while it is open
+depth_from='120 417' depth_to='40 417' # the slider of scene.depth, and of [scene] the button "reset"
+scene_reset='316 371'
+compare_y=344 with_y=367       # the menus of what is compared; their entries stand below as those of the scenes do
 pool_water='560 270' pool_far=80x40+830+280 # a place of the water, and an area far from there
 pool_ball='700 295' pool_ball_to='640 280'
 left_part=250x500+380+100      # of the picture, left of its middle and right of it

@@ -154,7 +154,7 @@ static void list_section(const struct dpl_section *section, const struct options
 /* Some sections come into being when one of their values is set: here one of each kind, with its defaults. */
 static bool make_sections(struct dpl_scene *scene)
 {
-    static const char *const names[] = {"wave.1.phase", "camera.1.time", "object.NAME.shape"};
+    static const char *const names[] = {"wave.1.phase", "camera.1.time", "object.NAME.seed"};
     char value[TEXT_SIZE];
     bool ok = true;
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
@@ -168,7 +168,7 @@ static void list_sections(const struct dpl_scene *scene, const struct options *o
     if (options->markdown)
         puts("# Values of a scene\n\nIn a scene file: `key = value` below `[section]`. On the command line: "
              "`--set section.key=value`.\nWaves are `[wave.1]`, `[wave.2]` and so on, keys of the camera's path "
-             "`[camera.1]` and so on,\nobjects `[object.NAME]` with any name.");
+             "`[camera.1]` and so on;\nNAME is any word of letters, digits and `-`.");
     if (options->json) {
         json_open(&json, NULL, '{');
         json_open(&json, "params", '[');

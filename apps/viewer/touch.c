@@ -195,6 +195,7 @@ void touch_place_sun(struct dpl_scene *scene)
     if (!camera_control_ray(scene, middle, 1, &ray))
         return;
     double elevation = asin(clamp(-ray.forward[1], -1, 1)) * degrees;
+    dpl_scene_set(scene, "sun.by", "angles");
     set_number(scene, "sun.azimuth", atan2(-ray.forward[2], -ray.forward[0]) * degrees);
     set_number(scene, "sun.elevation", clamp(elevation, 1, 90)); /* it does not set */
 }

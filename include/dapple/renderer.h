@@ -68,6 +68,11 @@ DPL_API bool dpl_renderer_draw(struct dpl_renderer *renderer, const struct dpl_s
 DPL_API struct dpl_image *dpl_renderer_picture(struct dpl_renderer *renderer, const struct dpl_scene *scene,
                                                double time, int width, int height);
 
+/* The same before exposure and tone curve, of looks with linear light (`physical`, `path-traced`): radiance, in units
+ * in which the sun's irradiance outside the atmosphere is 1. Of other looks it is the picture. */
+DPL_API struct dpl_image *dpl_renderer_radiance(struct dpl_renderer *renderer, const struct dpl_scene *scene,
+                                                double time, int width, int height);
+
 /* Calls `drawn` after each tile of a picture that has several. It may use OpenGL, but not the renderer. NULL: none. */
 DPL_API void dpl_renderer_tiles(struct dpl_renderer *renderer, void (*drawn)(void *user, int done, int tiles),
                                 void *user);

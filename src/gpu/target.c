@@ -74,12 +74,6 @@ bool target_copy(struct dpl_gl *gl, struct gpu_target *target, GLuint framebuffe
     return true;
 }
 
-void target_read(struct dpl_gl *gl, struct gpu_target *target, unsigned char *bytes)
-{
-    gl->BindFramebuffer(GL_FRAMEBUFFER, target->color.framebuffer);
-    gl->ReadPixels(0, 0, target->width, target->height, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
-}
-
 void target_finish(struct dpl_gl *gl, struct gpu_target *target)
 {
     program_finish(gl, &target->copy);

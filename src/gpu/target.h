@@ -26,9 +26,6 @@ void target_resolve(struct dpl_gl *gl, struct gpu_target *target);
 /* Draws `color` over a framebuffer of the same size; 0 is the window. */
 bool target_copy(struct dpl_gl *gl, struct gpu_target *target, GLuint framebuffer);
 
-/* Reads `color`, bottom row first; `bytes` is room for 4 a pixel. */
-void target_read(struct dpl_gl *gl, struct gpu_target *target, unsigned char *bytes);
-
 void target_finish(struct dpl_gl *gl, struct gpu_target *target);
 
 #endif

@@ -4,11 +4,19 @@
 
 #include "base/param.h"
 
-/* Section [sun]. */
+/* Section [sun]. Stands by two angles, or by the clock, where +x is east and -z north. */
+enum sun_by { SUN_BY_ANGLES, SUN_BY_CLOCK };
+#define SUN_LOWEST 1.0 /* degrees; the sun does not set */
 struct optics_sun {
     double elevation, azimuth, angular_radius; /* degrees */
+    int by;                                    /* enum sun_by */
+    int date[3];                               /* as optics/sun_clock.h */
+    double hour, time_zone, latitude, longitude;
 };
 extern const struct dpl_param optics_sun_params[];
+
+/* Degrees, whichever way it is placed by: 1 to 90, and from +x towards +z. */
+void optics_sun_angles(const struct optics_sun *sun, double *elevation, double *azimuth);
 
 /* The unit vector towards the middle of the sun. Light travels the other way. */
 void optics_sun_direction(const struct optics_sun *sun, double out[3]);

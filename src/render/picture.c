@@ -62,23 +62,28 @@ struct camera_view picture_view(const struct picture_tiles *tiles, int index)
                                 .rows = drawn.top - drawn.bottom};
 }
 
-/* Bytes of the drawn area, bottom row first, to the image's floats, top row first. */
-static void join(const unsigned char *bytes, const struct area *drawn, const struct area *kept, struct dpl_image *image)
+/* Pixels of the drawn area, bottom row first, to the image's floats, top row first. */
+static void join(const void *pixels, bool floats, const struct area *drawn, const struct area *kept,
+                 struct dpl_image *image)
 {
     int stride = drawn->right - drawn->left;
     for (int y = kept->bottom; y < kept->top; y++) {
-        const unsigned char *in = bytes + (size_t)(y - drawn->bottom) * (size_t)stride * 4;
+        size_t row = (size_t)(y - drawn->bottom) * (size_t)stride * 4;
         float *out = image->pixels + (size_t)(image->height - 1 - y) * (size_t)image->width * 3;
         for (int x = kept->left; x < kept->right; x++)
-            for (int c = 0; c < 3; c++)
-                out[x * 3 + c] = (float)in[(x - drawn->left) * 4 + c] / 255.0f;
+            for (int c = 0; c < 3; c++) {
+                size_t at = row + (size_t)((x - drawn->left) * 4 + c);
+                out[x * 3 + c] =
+                    floats ? ((const float *)pixels)[at] : (float)((const unsigned char *)pixels)[at] / 255.0f;
+            }
     }
 }
 
-bool picture_read(struct picture *picture, struct gpu_target *target, struct dpl_gl *gl,
+bool picture_read(struct picture *picture, struct gpu_texture *texture, struct dpl_gl *gl,
                   const struct picture_tiles *tiles, int index, struct dpl_image *image)
 {
-    size_t size = (size_t)target->width * (size_t)target->height * 4;
+    bool floats = texture->format != GL_RGBA8;
+    size_t size = (size_t)texture->width * (size_t)texture->height * 4 * (floats ? sizeof(float) : 1);
     if (picture->pixels_size < size) {
         free(picture->pixels);
         picture->pixels = base_allocate(gl->log, size, 1, "picture");
@@ -87,8 +92,10 @@ bool picture_read(struct picture *picture, struct gpu_target *target, struct dpl
     if (!picture->pixels)
         return false;
     struct area drawn = tile_area(tiles, index, tiles->margin), kept = tile_area(tiles, index, 0);
-    target_read(gl, target, picture->pixels);
-    join(picture->pixels, &drawn, &kept, image);
+    texture_draw_to(gl, texture);
+    gl->ReadPixels(0, 0, texture->width, texture->height, GL_RGBA, floats ? GL_FLOAT : GL_UNSIGNED_BYTE,
+                   picture->pixels);
+    join(picture->pixels, floats, &drawn, &kept, image);
     return true;
 }
 

@@ -10,7 +10,7 @@ struct picture {
     int side_max; /* pixels of a tile; 0: as the device can */
     void (*progress)(void *user, int done, int tiles);
     void *user;
-    unsigned char *pixels; /* of a tile on its way back from the GPU */
+    void *pixels; /* of a tile on its way back from the GPU */
     size_t pixels_size;
 };
 
@@ -28,8 +28,8 @@ struct picture_tiles picture_cut(const struct picture *picture, const struct dpl
 /* What is drawn for the index-th tile. */
 struct camera_view picture_view(const struct picture_tiles *tiles, int index);
 
-/* Reads the index-th tile, which has been drawn into the target, into its place of the image. */
-bool picture_read(struct picture *picture, struct gpu_target *target, struct dpl_gl *gl,
+/* Reads the index-th tile, which has been drawn into the texture, bytes or floats, into its place of the image. */
+bool picture_read(struct picture *picture, struct gpu_texture *texture, struct dpl_gl *gl,
                   const struct picture_tiles *tiles, int index, struct dpl_image *image);
 
 /* Tiles of that renderer's pictures are no larger; 0: as the device can. */

@@ -288,7 +288,7 @@ bool dpl_renderer_draw(struct dpl_renderer *renderer, const struct dpl_scene *sc
 
 /* Draws tile by tile. The passes of the first are those that are timed. */
 static bool draw_tiles(struct dpl_renderer *renderer, struct frame *frame, const struct picture_tiles *tiles,
-                       struct dpl_image *image)
+                       struct gpu_texture *texture, struct dpl_image *image)
 {
     struct picture *picture = &renderer->picture;
     enum dpl_timing timing = renderer->timer.timing;
@@ -296,8 +296,7 @@ static bool draw_tiles(struct dpl_renderer *renderer, struct frame *frame, const
     bool ok = true;
     for (int i = 0; ok && i < count; i++) {
         struct camera_view view = picture_view(tiles, i);
-        ok = draw_view(renderer, frame, &view) &&
-             picture_read(picture, &renderer->target, renderer->gl, tiles, i, image);
+        ok = draw_view(renderer, frame, &view) && picture_read(picture, texture, renderer->gl, tiles, i, image);
         timer_pass(&renderer->timer, NULL);
         renderer->timer.timing = DPL_TIMING_OFF;
         if (!ok || !picture->progress || count == 1)
@@ -310,8 +309,9 @@ static bool draw_tiles(struct dpl_renderer *renderer, struct frame *frame, const
     return ok;
 }
 
-struct dpl_image *dpl_renderer_picture(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time,
-                                       int width, int height)
+/* The scene's picture as a new image, from what `texture` of the renderer holds when it is drawn. */
+static struct dpl_image *make_picture(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time,
+                                      int width, int height, struct gpu_texture *texture)
 {
     struct frame frame;
     struct dpl_image *image = dpl_image_create(width, height, renderer->log);
@@ -319,7 +319,7 @@ struct dpl_image *dpl_renderer_picture(struct dpl_renderer *renderer, const stru
     if (ok) {
         struct picture_tiles tiles = picture_cut(&renderer->picture, renderer->gl, width, height, scene->render.samples,
                                                  scene_looks[scene->render.look]->margin);
-        ok = draw_tiles(renderer, &frame, &tiles, image);
+        ok = draw_tiles(renderer, &frame, &tiles, texture, image);
     }
     timer_pass(&renderer->timer, NULL);
     ok = leave(renderer, 0) && ok;
@@ -327,6 +327,20 @@ struct dpl_image *dpl_renderer_picture(struct dpl_renderer *renderer, const stru
         return image;
     dpl_image_destroy(image);
     return NULL;
+}
+
+struct dpl_image *dpl_renderer_picture(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time,
+                                       int width, int height)
+{
+    return make_picture(renderer, scene, time, width, height, &renderer->target.color);
+}
+
+struct dpl_image *dpl_renderer_radiance(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time,
+                                        int width, int height)
+{
+    bool linear = scene_looks[scene->render.look]->linear;
+    struct gpu_texture *texture = linear ? &renderer->tone.mean : &renderer->target.color;
+    return make_picture(renderer, scene, time, width, height, texture);
 }
 
 void dpl_renderer_tiles(struct dpl_renderer *renderer, void (*drawn)(void *user, int done, int tiles), void *user)

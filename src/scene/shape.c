@@ -2,10 +2,12 @@
 
 #include <stddef.h>
 
-extern const struct scene_shape shape_box, shape_pole, shape_sphere, shape_rock, shape_pebbles, shape_seaweed;
+extern const struct scene_shape shape_box, shape_pole, shape_sphere, shape_rock, shape_pebbles, shape_seaweed,
+    shape_mesh, shape_basin, shape_steps, shape_ladder, shape_hall, shape_cave, shape_quay, shape_hull, shape_tank;
 
-const struct scene_shape *const scene_shapes[] = {&shape_box,     &shape_pole,    &shape_sphere, &shape_rock,
-                                                  &shape_pebbles, &shape_seaweed, NULL};
+const struct scene_shape *const scene_shapes[] = {
+    &shape_box,   &shape_pole,   &shape_sphere, &shape_rock, &shape_pebbles, &shape_seaweed, &shape_mesh, &shape_basin,
+    &shape_steps, &shape_ladder, &shape_hall,   &shape_cave, &shape_quay,    &shape_hull,    &shape_tank, NULL};
 
 const char *scene_shape_name(int i)
 {

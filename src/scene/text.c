@@ -94,7 +94,7 @@ static const char *builtin_name(const void *scenes, int i)
 /* Says that there is no section of that name; `where` opens the message. */
 static bool fail_section(const struct dpl_scene *scene, const char *where, const char *name)
 {
-    char accepted[VALUE_SIZE], hint[HINT_SIZE];
+    char accepted[2 * VALUE_SIZE], hint[HINT_SIZE];
     if (names_object(name))
         return base_fail(scene->log, DPL_REASON_LIMIT, "%s: too many objects: \"%s\" (accepted: at most %d)", where,
                          name, SCENE_OBJECTS_MAX);

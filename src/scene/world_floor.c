@@ -64,7 +64,7 @@ static void choose_modes(const struct dpl_scene *scene, struct modes *modes)
 /* -1 to 1 over a wave: sharp above, broad below, the side towards larger phases steeper. */
 static double profile(double phase)
 {
-    double skewed = phase + 0.45 * cos(phase);
+    double skewed = phase - 0.45 * cos(phase);
     return 2 * pow(0.5 + 0.5 * cos(skewed), 1.6) - 1;
 }
 

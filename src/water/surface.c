@@ -91,6 +91,11 @@ static void blend(const struct surface *surface, const float *numbers, size_t co
     }
 }
 
+void surface_blend(const struct surface *surface, double column, double row, double texel[3])
+{
+    blend(surface, surface->texels, 3, column, row, texel);
+}
+
 bool surface_flatten(const struct surface *from, struct surface *to, const struct dpl_log *log)
 {
     const int iterations = 8;

@@ -31,6 +31,9 @@ void surface_finish(struct surface *surface);
 /* Distance between neighbouring vertices, m. */
 double surface_spacing(const struct surface *surface);
 
+/* Height and slopes at a place in cells from the first vertex, by straight lines between the vertices around it. */
+void surface_blend(const struct surface *surface, double column, double row, double texel[3]);
+
 /* Makes `to` what a choppy surface is like straight above and below the vertices of its grid: heights and slopes
  * without shifts. The place at rest of what has come to x is p = x - shift(p), by iteration, which finds it where the
  * surface does not overhang. For techniques that look straight up. water/flatten.glsl is its twin. */

@@ -1,0 +1,13 @@
+/* scene/hull_form.h: the form of a wooden boat, as a surface. */
+#ifndef SCENE_HULL_FORM_H
+#define SCENE_HULL_FORM_H
+
+/* The point of a hull of that size (length along x, keel to the top of the stem, breadth along z; m), its bow towards
+ * +x, its keel at the height 0: `along` from 0 at the transom to 1 at the stem, `up` from 0 at the keel to 1 at the
+ * edge. It is the half at z ≥ 0. */
+void hull_point(const double size[3], double along, double up, double point[3]);
+
+/* Half the breadth at that height, m; 0 below the hull, that of the edge above it. */
+double hull_half_breadth(const double size[3], double along, double height);
+
+#endif

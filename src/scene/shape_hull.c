@@ -1,0 +1,190 @@
+/* A wooden boat, clinker-built: each strake of planks laps over the one below it. Its bottom is painted in the second
+ * colour. Inside it has a floor and thwarts. */
+#include "scene/hull_form.h"
+#include "scene/pieces.h"
+#include "scene/shape.h"
+
+#include <math.h>
+
+#define STRAKES 9
+#define STRAKE_ROWS 4  /* of vertices */
+#define COLUMNS 81     /* of vertices, from the transom to the stem */
+#define BOTTOM 4       /* strakes that are painted in the second colour */
+#define LAP 0.008      /* of the breadth: how far a strake stands out where it laps */
+#define THICKNESS 0.02 /* of the breadth */
+#define TIMBER 0.028   /* of the breadth: radius of keel, stem and edges */
+#define FLOOR 0.16     /* of the height */
+#define THWARTS 3
+
+static const double wood_color[3] = {0.42, 0.26, 0.13};
+static const double trim_color[3] = {0.24, 0.12, 0.05};
+
+/* Moved off the surface by `off`, towards the outside, on one half. */
+static void point_off(const double size[3], double along, double up, double off, double half, double point[3])
+{
+    const double step = 1e-3;
+    double a = fmin(along, 1 - step), b = fmin(up, 1 - step), p[3], q[3], r[3], normal[3], length = 0;
+    hull_point(size, a, b, p);
+    hull_point(size, a + step, b, q);
+    hull_point(size, a, b + step, r);
+    for (int c = 0; c < 3; c++) {
+        int d = (c + 1) % 3, e = (c + 2) % 3;
+        normal[c] = (q[d] - p[d]) * (r[e] - p[e]) - (q[e] - p[e]) * (r[d] - p[d]);
+        length += normal[c] * normal[c];
+    }
+    hull_point(size, along, up, point);
+    for (int c = 0; c < 3 && length > 0; c++)
+        point[c] += off * normal[c] / sqrt(length);
+    point[2] = half * fmax(point[2], 0);
+}
+
+/* Rows of vertices from the transom to the stem, between two heights and two ways off the surface; smooth. */
+static void add_band(struct world_builder *builder, const double size[3], const double up[2], const double off[2],
+                     int rows, double half, bool inside, const double color[3])
+{
+    int vertex = builder->vertex_count, index = builder->index_count;
+    bool turned = inside == (half > 0);
+    for (int j = 0; j < rows; j++) {
+        for (int i = 0; i < COLUMNS; i++) {
+            double share = (double)j / (rows - 1), point[3];
+            double along = (double)(turned ? COLUMNS - 1 - i : i) / (COLUMNS - 1);
+            double away = off[0] + share * (off[1] - off[0]), high = up[0] + share * (up[1] - up[0]);
+            point_off(size, along, high, away * fmin(1, 12 * (1 - along)), half, point);
+            struct world_vertex v = {.place = {(float)(size[0] * along), (float)(0.7 * size[2] * high)}};
+            for (int c = 0; c < 3; c++) {
+                v.position[c] = (float)point[c];
+                v.color[c] = (float)color[c];
+            }
+            builder_vertex(builder, &v);
+        }
+    }
+    builder_grid(builder, (unsigned)vertex, COLUMNS, rows);
+    builder_smooth(builder, vertex, index);
+}
+
+static void add_side(struct world_builder *builder, const struct scene_object *object, double half)
+{
+    const double *size = object->size, lap = LAP * size[2], inner = -THICKNESS * size[2];
+    for (int s = 0; s < STRAKES; s++) {
+        const double up[2] = {(double)s / STRAKES, (double)(s + 1) / STRAKES};
+        const double *color = s < BOTTOM ? object->second_color : object->color;
+        if (s > 0)
+            add_band(builder, size, (double[2]){up[0], up[0]}, (double[2]){0, lap}, 2, half, false, color);
+        add_band(builder, size, up, (double[2]){s > 0 ? lap : 0, 0}, STRAKE_ROWS, half, false, color);
+    }
+    add_band(builder, size, (double[2]){0.02, 1}, (double[2]){inner, inner}, 3 * STRAKES, half, true, wood_color);
+}
+
+/* The flat end at the stern, seen from outside, and `ahead` of that from inside. */
+static void add_transom(struct world_builder *builder, const struct scene_object *object, double ahead)
+{
+    const int rows = 2 * STRAKES + 1, columns = 9;
+    int vertex = builder->vertex_count, index = builder->index_count;
+    for (int j = 0; j < rows; j++) {
+        for (int i = 0; i < columns; i++) {
+            double up = (double)j / (rows - 1), across = 2.0 * i / (columns - 1) - 1, point[3];
+            hull_point(object->size, 0, up, point);
+            const double *color = ahead > 0                     ? wood_color
+                                  : j < rows * BOTTOM / STRAKES ? object->second_color
+                                                                : object->color;
+            struct world_vertex v = {.place = {(float)(across * point[2]), (float)point[1]}};
+            v.position[0] = (float)(point[0] + ahead);
+            v.position[1] = (float)point[1];
+            v.position[2] = (float)(point[2] * (ahead > 0 ? -across : across));
+            for (int c = 0; c < 3; c++)
+                v.color[c] = (float)color[c];
+            builder_vertex(builder, &v);
+        }
+    }
+    builder_grid(builder, (unsigned)vertex, columns, rows);
+    builder_smooth(builder, vertex, index);
+}
+
+/* Keel and stem, from the stern along the bottom to the top of the bow; then the edges, along both sides. */
+static void add_timbers(struct world_builder *builder, const struct scene_object *object, double thick)
+{
+    double line[COLUMNS + 24][3];
+    int points = 0;
+    for (int i = 0; i < COLUMNS; i++)
+        hull_point(object->size, (double)i / (COLUMNS - 1), 0, line[points++]);
+    for (int i = 1; i <= 24; i++)
+        hull_point(object->size, 1, i / 24.0, line[points++]);
+    piece_tube(builder, (const double(*)[3])line, points, thick, 10, trim_color);
+    for (int side = -1; side <= 1; side += 2) {
+        for (int i = 0; i < COLUMNS; i++) {
+            hull_point(object->size, (double)i / (COLUMNS - 1), 1, line[i]);
+            line[i][2] *= side;
+        }
+        piece_tube(builder, (const double(*)[3])line, COLUMNS, thick, 10, trim_color);
+    }
+    hull_point(object->size, 0, 1, line[0]);
+    for (int c = 0; c < 3; c++)
+        line[1][c] = c == 2 ? -line[0][c] : line[0][c];
+    piece_tube(builder, (const double(*)[3])line, 2, thick, 10, trim_color);
+}
+
+/* Boards along the bottom, as wide as the hull is there. */
+static void add_floor(struct world_builder *builder, const struct scene_object *object)
+{
+    const double height = FLOOR * object->size[1], inner = THICKNESS * object->size[2];
+    const int columns = 41, rows = 7;
+    int vertex = builder->vertex_count, index = builder->index_count;
+    for (int j = 0; j < rows; j++) {
+        for (int i = 0; i < columns; i++) {
+            double along = 0.04 + 0.86 * i / (columns - 1), across = 1 - 2.0 * j / (rows - 1);
+            double half = fmax(hull_half_breadth(object->size, along, height) - inner, 0.001);
+            struct world_vertex v = {
+                .position = {(float)(object->size[0] * (along * 0.86 - 0.455)), (float)height, (float)(half * across)},
+                .color = {(float)wood_color[0], (float)wood_color[1], (float)wood_color[2]},
+                .place = {(float)(object->size[0] * along), (float)(half * across)}};
+            builder_vertex(builder, &v);
+        }
+    }
+    builder_grid(builder, (unsigned)vertex, columns, rows);
+    builder_smooth(builder, vertex, index);
+}
+
+static void add_thwarts(struct world_builder *builder, const struct scene_object *object)
+{
+    const double *size = object->size, top = 0.5 * size[1], thick = 0.035 * size[1], wide = 0.05 * size[0];
+    for (int t = 0; t < THWARTS; t++) {
+        double along = 0.16 + 0.26 * t, middle[3];
+        double half = fmin(hull_half_breadth(size, along - 0.03, top - thick),
+                           hull_half_breadth(size, along + 0.03, top - thick)) -
+                      0.5 * THICKNESS * size[2];
+        hull_point(size, along, 0.6, middle);
+        piece_block(builder, (double[3]){middle[0] - wide / 2, top - thick, -half},
+                    (double[3]){middle[0] + wide / 2, top, half}, 0.1, wood_color);
+    }
+}
+
+static bool build(struct world_builder *builder, const struct scene_object *given, int seed)
+{
+    (void)seed; /* all boats are alike */
+    const double timber = TIMBER * given->size[2], base[3] = {0, timber, 0};
+    struct scene_object without = *given; /* what the timbers leave of its size */
+    const struct scene_object *object = &without;
+    int first = builder->vertex_count;
+    for (int c = 0; c < 3; c++)
+        without.size[c] = fmax(given->size[c] - 2 * timber, 0.5 * given->size[c]);
+    add_side(builder, object, 1);
+    add_side(builder, object, -1);
+    add_transom(builder, object, 0);
+    add_transom(builder, object, THICKNESS * object->size[2]);
+    add_timbers(builder, object, timber);
+    add_thwarts(builder, object);
+    struct world_part boards = piece_material(object, WORLD_PLANKS);
+    for (int c = 0; c < 3 && object->pattern == WORLD_PLAIN; c++)
+        boards.joint[c] = 0.3 * wood_color[c];
+    builder_part(builder, &boards);
+    add_floor(builder, object);
+    builder_place(builder, first, 0, 0, base);
+    return builder_ok(builder);
+}
+
+const struct scene_shape shape_hull = {
+    .name = "hull",
+    .summary = "an open wooden boat, its bow towards +x; size: length, keel to stem, breadth",
+    .color = {{0.66, 0.66, 0.62}, {0.3, 0.06, 0.035}},
+    .build = build,
+};

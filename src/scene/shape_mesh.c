@@ -1,0 +1,79 @@
+/* Triangles from a file, as large as the object's size has room for, in the file's proportions. */
+#include "scene/pieces.h"
+#include "scene/shape.h"
+
+#include "base/log.h"
+#include "io/mesh.h"
+
+#include <math.h>
+
+/* The box around the corners of all triangles. */
+static void measure(const struct io_mesh *mesh, double low[3], double high[3])
+{
+    for (int c = 0; c < 3; c++) {
+        low[c] = INFINITY;
+        high[c] = -INFINITY;
+        for (int i = 0; i < mesh->index_count; i++) {
+            low[c] = fmin(low[c], (double)mesh->positions[mesh->indices[i]][c]);
+            high[c] = fmax(high[c], (double)mesh->positions[mesh->indices[i]][c]);
+        }
+    }
+}
+
+/* Times what the file's unit is multiplied by; 0: the mesh is a point. */
+static double scale_of(const struct scene_object *object, const double low[3], const double high[3])
+{
+    double scale = INFINITY;
+    for (int c = 0; c < 3; c++)
+        if (high[c] > low[c])
+            scale = fmin(scale, object->size[c] / (high[c] - low[c]));
+    return isfinite(scale) ? scale : 0;
+}
+
+static void add_mesh(struct world_builder *builder, const struct scene_object *object, const struct io_mesh *mesh)
+{
+    double low[3], high[3];
+    unsigned first = (unsigned)builder->vertex_count;
+    measure(mesh, low, high);
+    double scale = scale_of(object, low, high);
+    const double base[3] = {(low[0] + high[0]) / 2, low[1], (low[2] + high[2]) / 2};
+    for (int v = 0; v < mesh->vertex_count; v++) {
+        struct world_vertex vertex;
+        for (int c = 0; c < 3; c++) {
+            vertex.position[c] = (float)(scale * ((double)mesh->positions[v][c] - base[c]));
+            vertex.normal[c] = mesh->normals[v][c];
+            vertex.color[c] = (float)(object->color[c] * (double)mesh->colors[v][c]);
+        }
+        double up = high[1] > low[1] ? ((double)mesh->positions[v][1] - low[1]) / (high[1] - low[1]) : 0;
+        vertex.sway = (float)(object->sway * up * up); /* it bends: nothing at its foot */
+        vertex.place[0] = vertex.position[0] + vertex.position[2];
+        vertex.place[1] = vertex.position[1];
+        builder_vertex(builder, &vertex);
+    }
+    for (int i = 0; i + 2 < mesh->index_count; i += 3)
+        builder_triangle(builder, first + mesh->indices[i], first + mesh->indices[i + 1], first + mesh->indices[i + 2]);
+}
+
+static bool build(struct world_builder *builder, const struct scene_object *object, int seed)
+{
+    (void)seed; /* all copies are alike */
+    struct world_part material = builder_material(object);
+    struct io_mesh mesh;
+    if (object->file[0] == '\0')
+        return base_fail(builder->log, DPL_REASON_VALUE,
+                         "%s.file: \"\" (accepted: the name of a mesh, .obj .gltf .glb .ply .stl)", builder->name);
+    if (!io_mesh_read(object->file, &mesh, builder->log))
+        return false;
+    material.two_sided = true; /* a file's surfaces may be open, and wound either way */
+    builder_part(builder, &material);
+    add_mesh(builder, object, &mesh);
+    io_mesh_finish(&mesh);
+    return builder_ok(builder);
+}
+
+const struct scene_shape shape_mesh = {
+    .name = "mesh",
+    .summary = "triangles from a file, .obj .gltf .glb .ply .stl, to fit the size; its base colours times the colour",
+    .color = {{1, 1, 1}, {1, 1, 1}},
+    .build = build,
+};
