@@ -257,7 +257,7 @@ shows_panels() {
 check_reload() {
     cp -r "$shaders" "$folder/shaders"
     mkdir "$folder/beside"
-    printf '[water]\nmodel = collard\n[caustics]\nmap = 256\n' >"$folder/beside/pool.ini"
+    printf '[water]\nmodel = collard\n[render]\nlook = collard\n[caustics]\nmap = 256\n' >"$folder/beside/pool.ini"
     open beside/pool.ini --shaders shaders
     pause
     xdotool key F3
@@ -267,7 +267,7 @@ check_reload() {
     printf '[scene]\ndepth = 0.3\n' >>"$folder/beside/pool.ini"
     try 20 shows_other edited paused || fail "the scene is not read anew"
     printf 'depth = deep\n' >>"$folder/beside/pool.ini"
-    try 20 logged 'pool.ini:7: scene.depth' || fail "no message for a broken scene"
+    try 20 logged 'pool.ini:9: scene.depth' || fail "no message for a broken scene"
     try 20 shows_same kept edited || fail "a broken scene takes the picture away"
     screen message
     sed '/^    color = /a color.rgb = color.bgr;' "$shaders/render/collard_ground.glsl" \
