@@ -45,7 +45,7 @@ static void sky_through_flat_water(void **state)
     for (int i = 0; i < steps; i++)
         enters += (1 - optics_fresnel_reflectance(sqrt((i + 0.5) / steps), 1.333)) / steps;
     shine(place, 1, 0);
-    place->world.water.present = true;
+    place->world.water.half = INFINITY;
     place->floor[0] = place->floor[1] = place->floor[2] = 0;
     expect(bake(place, 0.3, -1, 0.2, 1, 4096), M_PI * enters, 0.02);
     /* The floor's own light that the surface throws back: the sum over bounces is more. */
@@ -70,7 +70,7 @@ static void sun_through_flat_water(void **state)
 {
     struct place *place = *state;
     shine(place, 0, 2);
-    place->world.water.present = true;
+    place->world.water.half = INFINITY;
     place->world.water.optics.absorption[1] = 0.4;
     place->floor[1] = 0.01;
     place->world.sun.radius = 0;
@@ -98,7 +98,7 @@ static void threads_do_not_show(void **state)
     static float positions[3 * COUNT], normals[3 * COUNT], first[3 * COUNT], second[3 * COUNT];
     struct place *place = *state;
     shine(place, 1, 5);
-    place->world.water.present = true;
+    place->world.water.half = INFINITY;
     for (int c = 0; c < 3; c++)
         place->world.water.optics.scattering[c] = place->world.water.optics.absorption[c] = 0.1 * (1 + c);
     put_box(place, (const double[3]){-1, -0.5, -1}, (const double[3]){1, 0.5, 1}, false);

@@ -64,8 +64,7 @@ static inline int setup(void **state)
     place->world = (struct camera_world){
         .size = 4,
         .depth = 1,
-        .endless = true,
-        .solids = {.floor = true,
+        .solids = {.floor = INFINITY,
                    .positions = place->positions,
                    .normals = place->normals,
                    .indices = place->indices,

@@ -10,7 +10,7 @@
 #define MAP 32  /* texels */
 
 struct picture {
-    float pixels[SIDE * SIDE * 3]; /* the first row is the lowest */
+    float pixels[SIDE * SIDE * 4]; /* the first row is the lowest */
 };
 
 /* From `eye` along an axis, with `half` the tangent of half the field of view. */
@@ -40,8 +40,8 @@ static double mean(const struct picture *picture, int color)
 {
     double sum = 0;
     for (int i = 0; i < SIDE * SIDE; i++) {
-        assert_true(isfinite(picture->pixels[3 * i + color]) && picture->pixels[3 * i + color] >= 0);
-        sum += (double)picture->pixels[3 * i + color] / (SIDE * SIDE);
+        assert_true(isfinite(picture->pixels[4 * i + color]) && picture->pixels[4 * i + color] >= 0);
+        sum += (double)picture->pixels[4 * i + color] / (SIDE * SIDE);
     }
     return sum;
 }
@@ -80,7 +80,7 @@ static void the_floor_below_flat_water(void **state)
     const struct camera_sight view = look((const double[3]){0.2, 3, 0.3}, 1, -1, 0.05);
     const double sine = sin(M_PI / 3), inside = sqrt(1 - pow(cos(M_PI / 3) / 1.333, 2)), absorption = 0.3;
     shine(place, 0, 5);
-    place->world.water.present = true;
+    place->world.water.half = INFINITY;
     place->world.water.surface = surface;
     place->world.water.optics.absorption[1] = absorption;
     place->floor[1] = 0.02;
@@ -100,7 +100,7 @@ static void sky_through_snells_window(void **state)
     const double half = 2, edge = tan(asin(1 / 1.333));
     const struct camera_sight view = look((const double[3]){0.2, -0.6, 0.3}, 1, 1, half);
     shine(place, 1, 0);
-    place->world.water.present = true;
+    place->world.water.half = INFINITY;
     place->world.water.surface = surface;
     place->floor[0] = place->floor[1] = place->floor[2] = 0;
     draw(place, &view, &usual, 256, &picture);
@@ -110,9 +110,9 @@ static void sky_through_snells_window(void **state)
         double air = sqrt(fmax(1 - pow(1.333 * away / sqrt(1 + away * away), 2), 0));
         double wanted = (1 - optics_fresnel_reflectance(air, 1.333)) * 1.333 * 1.333;
         if (away > edge + pixel)
-            assert_true(picture.pixels[3 * i] == 0);
+            assert_true(picture.pixels[4 * i] == 0);
         else if (away < edge - 2 * pixel)
-            expect((double)picture.pixels[3 * i], wanted, 0.2);
+            expect((double)picture.pixels[4 * i], wanted, 0.2);
     }
 }
 
@@ -127,7 +127,7 @@ static void shafts_of_still_water(void **state)
     const struct camera_sight view = look((const double[3]){0.2, -1.5, 0.3}, 0, 1, 0.01);
     shine(place, 0, 5);
     place->world.depth = 50;
-    place->world.water.present = true;
+    place->world.water.half = INFINITY;
     place->world.water.surface = surface;
     for (int c = 0; c < 3; c++) {
         optics->absorption[c] = 0.2;
@@ -174,7 +174,7 @@ static void caustics_are_those_that_were_counted(void **state)
     struct surface *surface = at_rest(place);
     water_fill(water_models[0], &setup_, 0, surface);
     shine(place, 0, 5);
-    place->world.water.present = true;
+    place->world.water.half = INFINITY;
     place->world.water.surface = surface;
     place->world.water.optics = water_optics(&medium);
     struct camera_scene scene;
@@ -212,7 +212,7 @@ static void threads_do_not_show(void **state)
     const struct camera_sight view = look((const double[3]){0, -0.5, 3}, 2, -1, 0.7);
     shine(place, 1, 5);
     place->world.water =
-        (struct camera_water){true, surface, {1.33, 1.333, 1.336}, {{0.3, 0.1, 0.1}, {0.1, 0.1, 0.2}, 0.8}};
+        (struct camera_water){INFINITY, surface, {1.33, 1.333, 1.336}, 0.02, {{0.3, 0.1, 0.1}, {0.1, 0.1, 0.2}, 0.8}};
     put_box(place, (const double[3]){-1, -0.5, -1}, (const double[3]){1, 0.5, 1}, false);
     omp_set_num_threads(1);
     draw(place, &view, &usual, 2, &first);

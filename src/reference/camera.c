@@ -5,17 +5,17 @@
 #define PHOTONS_LEAST 1000.0
 #define PHOTONS_MOST 1e7 /* of a pass, for the sake of memory */
 
-bool camera_begin(struct camera *camera, const struct camera_world *world, const struct camera_sight *view,
+bool camera_begin(struct camera *camera, const struct camera_world *world, const struct camera_sight *sight,
                   const struct camera_settings *settings, const struct dpl_log *log)
 {
-    size_t pixels = (size_t)view->width * (size_t)view->height;
+    size_t pixels = (size_t)sight->width * (size_t)sight->height;
     int photons = (int)fmin(fmax(settings->photons * (double)pixels, PHOTONS_LEAST), PHOTONS_MOST);
     camera_finish(camera);
-    camera->view = *view;
+    camera->sight = *sight;
     camera->settings = *settings;
     camera->sums = base_allocate(log, pixels * 3, sizeof *camera->sums, "picture");
     if (camera->sums && camera_scene_make(&camera->scene, world, log) &&
-        camera_photons_begin(&camera->photons, &camera->scene, view, photons, log))
+        camera_photons_begin(&camera->photons, &camera->scene, sight, photons, log))
         return true;
     camera_finish(camera);
     return false;
@@ -31,11 +31,12 @@ void camera_finish(struct camera *camera)
 
 static void trace_pixel(struct camera *camera, const struct camera_path *path, int column, int row, bool wet)
 {
-    uint64_t pixel = (uint64_t)row * (uint64_t)camera->view.width + (uint64_t)column;
-    struct draws draws = {.start = random_mix(pixel + 1), .path = (uint64_t)camera->passes};
+    uint64_t pixel = (uint64_t)row * (uint64_t)camera->sight.width + (uint64_t)column;
+    uint64_t place = (uint64_t)(camera->sight.bottom + row) << 32 | (uint64_t)(camera->sight.left + column);
+    struct draws draws = {.start = random_mix(place + 1), .path = (uint64_t)camera->passes};
     double u = draws_next(&draws), v = draws_next(&draws), direction[3], radiance[3];
-    camera_sight_ray(&camera->view, column + u, row + v, direction);
-    camera_path_radiance(path, camera->view.eye, direction, wet, &draws, radiance);
+    camera_sight_ray(&camera->sight, column + u, row + v, direction);
+    camera_path_radiance(path, camera->sight.eye, direction, wet, &draws, radiance);
     vector3_along(camera->sums + 3 * pixel, radiance, 1, camera->sums + 3 * pixel);
 }
 
@@ -46,22 +47,25 @@ void camera_pass(struct camera *camera)
         .photons = &camera->photons,
         .bounces = camera->settings.bounces,
         .sun_seen = true,
-        .spread = camera_sight_spread(&camera->view),
+        .spread = camera_sight_spread(&camera->sight),
         .solid_radius = camera->settings.solid_radius,
         .water_radius = camera->settings.water_radius,
     };
-    bool wet = camera_scene_wet(&camera->scene, camera->view.eye);
+    bool wet = camera_scene_wet(&camera->scene, camera->sight.eye);
     camera_photons_send(&camera->photons, (uint64_t)camera->passes);
 #pragma omp parallel for schedule(dynamic)
-    for (int row = 0; row < camera->view.height; row++)
-        for (int column = 0; column < camera->view.width; column++)
+    for (int row = 0; row < camera->sight.height; row++)
+        for (int column = 0; column < camera->sight.width; column++)
             trace_pixel(camera, &path, column, row, wet);
     camera->passes++;
 }
 
 void camera_read(const struct camera *camera, float *radiance)
 {
-    size_t count = (size_t)camera->view.width * (size_t)camera->view.height * 3;
-    for (size_t i = 0; i < count; i++)
-        radiance[i] = (float)(camera->sums[i] / camera->passes);
+    size_t count = (size_t)camera->sight.width * (size_t)camera->sight.height;
+    for (size_t i = 0; i < count; i++) {
+        for (size_t c = 0; c < 3; c++)
+            radiance[4 * i + c] = (float)(camera->sums[3 * i + c] / camera->passes);
+        radiance[4 * i + 3] = 1;
+    }
 }

@@ -18,14 +18,14 @@ struct camera_settings {
 struct camera {
     struct camera_scene scene;
     struct camera_photons photons;
-    struct camera_sight view;
+    struct camera_sight sight;
     struct camera_settings settings;
     int passes;   /* done */
     double *sums; /* height × width × 3 */
 };
 
 /* Starts anew. What `world` points to outlives the picture. */
-bool camera_begin(struct camera *camera, const struct camera_world *world, const struct camera_sight *view,
+bool camera_begin(struct camera *camera, const struct camera_world *world, const struct camera_sight *sight,
                   const struct camera_settings *settings, const struct dpl_log *log);
 /* Leaves it zeroed. */
 void camera_finish(struct camera *camera);
@@ -33,7 +33,7 @@ void camera_finish(struct camera *camera);
 /* One more path for each pixel. */
 void camera_pass(struct camera *camera);
 
-/* Radiance after at least one pass: height × width × 3; the first row is the lowest. */
+/* Radiance after at least one pass: height × width × 4, the last 1; the first row is the lowest. */
 void camera_read(const struct camera *camera, float *radiance);
 
 #endif

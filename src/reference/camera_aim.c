@@ -9,6 +9,7 @@
 #include <stdlib.h>
 
 #define SIDE CAMERA_AIM_SIDE
+#define SMALL 32.0      /* m: half a side of a block of water that photons are sent to all of */
 #define PILOTS 128      /* paths from the eye, across and down the picture */
 #define MEETINGS 6      /* that they have */
 #define COPIES 4        /* of each way back: waves spread them */
@@ -87,23 +88,23 @@ static int compare(const void *a, const void *b)
     return (*first > *second) - (*first < *second);
 }
 
-/* The square that holds most of the ways, or the tile. */
+/* The square that holds most of the ways, or all of a small block of water. */
 static bool frame_ways(struct camera_aim *aim, const struct camera_scene *scene, const struct ways *ways,
                        const struct dpl_log *log)
 {
-    double size = scene->world.size, low[2], high[2];
-    *aim = (struct camera_aim){.x = -size / 2, .z = -size / 2, .size = size};
-    if (!scene->world.endless || ways->count == 0)
+    double half = scene->water.half, low[2], high[2];
+    *aim = (struct camera_aim){.x = -half, .z = -half, .size = 2 * half};
+    if (half <= SMALL)
         return true;
-    double *sorted = base_allocate(log, (size_t)ways->count, sizeof *sorted, "light of the picture");
+    double *sorted = base_allocate(log, (size_t)ways->count + 1, sizeof *sorted, "light of the picture");
     if (!sorted)
         return false;
     for (int c = 0; c < 2; c++) {
         for (int i = 0; i < ways->count; i++)
             sorted[i] = ways->places[i][c];
         qsort(sorted, (size_t)ways->count, sizeof *sorted, compare);
-        low[c] = sorted[(int)(LEFT_OUT * (ways->count - 1))];
-        high[c] = sorted[(int)((1 - LEFT_OUT) * (ways->count - 1))];
+        low[c] = fmax(sorted[(int)(LEFT_OUT * (ways->count - 1))], -half);
+        high[c] = fmin(sorted[(int)((1 - LEFT_OUT) * (ways->count - 1))], half);
     }
     free(sorted);
     aim->size = fmax(fmax(high[0] - low[0], high[1] - low[1]), 1e-3);
@@ -186,7 +187,7 @@ double camera_aim_place(const struct camera_aim *aim, double u, double v, double
 bool camera_aim_covers(const struct camera_aim *aim, const struct camera_scene *scene, const double place[3], bool wet)
 {
     double way[2];
-    if (!scene->world.endless)
+    if (scene->water.half <= SMALL)
         return true;
     way_back(scene, place, wet, way);
     return cell_at(way[0], aim->x, aim->size) >= 0 && cell_at(way[1], aim->z, aim->size) >= 0;

@@ -45,7 +45,7 @@ static bool start_on_side(struct camera_flight *flight, const double to_sun[3], 
                           struct camera_hit *hit)
 {
     const struct camera_world *world = &flight->scene->world;
-    double share = fabs(to_sun[0]) / (fabs(to_sun[0]) + fabs(to_sun[2])), half = world->size / 2;
+    double share = fabs(to_sun[0]) / (fabs(to_sun[0]) + fabs(to_sun[2])), half = flight->scene->water.half;
     int across = u < share ? 0 : 2;
     u = across == 0 ? u / share : (u - share) / (1 - share);
     *hit = (struct camera_hit){.what = CAMERA_WATER};
@@ -55,7 +55,7 @@ static bool start_on_side(struct camera_flight *flight, const double to_sun[3], 
     double height = world->depth + camera_tiles_height(&flight->scene->water, hit->position[0], hit->position[2]);
     hit->position[1] = v * height - world->depth;
     share = across == 0 ? share : 1 - share;
-    vector3_scale(world->sky->sun, fabs(to_sun[across]) * world->size * height / share, flight->flux);
+    vector3_scale(world->sky->sun, fabs(to_sun[across]) * 2 * half * height / share, flight->flux);
     return height > 0;
 }
 
@@ -124,7 +124,7 @@ void camera_fly(struct camera_flight *flight, const struct camera_scene *scene, 
 {
     *flight = (struct camera_flight){.scene = scene, .aim = aim, .draws = draws, .color = -1};
     double u = draws_next(&flight->draws), v = draws_next(&flight->draws), to_sun[3];
-    double sides = scene->world.endless ? 0 : SIDES;
+    double sides = isinf(scene->water.half) ? 0 : SIDES;
     struct camera_hit hit;
     camera_sun_place(scene, &flight->draws, to_sun);
     bool side = draws_next(&flight->draws) < sides;

@@ -107,9 +107,24 @@ static void choose_color(struct state *state)
         state->throughput[c] *= c == state->color ? 3 : 0;
 }
 
-/* Radiance in water is more by the square of the index, in as much smaller an angle (Straubel 1903). */
-static void meet_water(struct state *state, const struct camera_hit *hit)
+/* Tilts the surface by slopes that its grid is too coarse for: as many as not along x and along z (Box & Muller 1958).
+ */
+static void roughen(struct state *state, struct camera_hit *hit)
 {
+    double roughness = state->path->scene->world.water.roughness, sine, cosine;
+    if (!(roughness > 0) || !(hit->normal[1] > 0))
+        return;
+    double slope = roughness * sqrt(-log(1 - draws_next(state->draws)));
+    sine_cosine(draws_next(state->draws), &sine, &cosine);
+    hit->normal[0] += slope * cosine * hit->normal[1];
+    hit->normal[2] += slope * sine * hit->normal[1];
+    vector3_normalize(hit->normal);
+}
+
+/* Radiance in water is more by the square of the index, in as much smaller an angle (Straubel 1903). */
+static void meet_water(struct state *state, struct camera_hit *hit)
+{
+    roughen(state, hit);
     choose_color(state);
     double ior = state->path->scene->world.water.ior[state->color < 0 ? 1 : state->color];
     struct camera_crossing crossing = camera_crossing(hit, state->direction, ior);

@@ -18,7 +18,7 @@ bool camera_photons_begin(struct camera_photons *photons, const struct camera_sc
     const struct camera_water *water = &scene->world.water;
     bool scatters = vector3_most(water->optics.scattering) > 0;
     size_t solids = (size_t)count, marks = scatters ? solids * CAMERA_MARKS : 1;
-    *photons = (struct camera_photons){.scene = scene, .sent = water->present ? count : 0};
+    *photons = (struct camera_photons){.scene = scene, .sent = water->half > 0 ? count : 0};
     photons->solids.photons = base_allocate(log, solids, sizeof *photons->solids.photons, "photons");
     photons->solids.axes = base_allocate(log, solids, 1, "photons");
     photons->water.photons = base_allocate(log, marks, sizeof *photons->water.photons, "photons");

@@ -69,8 +69,8 @@ bool camera_scene_make(struct camera_scene *scene, const struct camera_world *wo
     bool ok =
         make_solids(scene, log) &&
         camera_tiles_make(&scene->floor, scene->device, world->solids.relief, -world->depth, world->size,
-                          world->endless, log) &&
-        camera_tiles_make(&scene->water, scene->device, world->water.surface, 0, world->size, world->endless, log);
+                          world->solids.floor, log) &&
+        camera_tiles_make(&scene->water, scene->device, world->water.surface, 0, world->size, world->water.half, log);
     if (!ok)
         camera_scene_finish(scene);
     return ok;
@@ -152,7 +152,7 @@ static void meet_floor(const struct camera_scene *scene, const double origin[3],
 static bool meet_sides(const struct camera_scene *scene, const double origin[3], const double direction[3], double near,
                        struct camera_hit *hit)
 {
-    double half = scene->world.size / 2;
+    double half = scene->water.half;
     bool met = false;
     for (int k = 0; k < 4; k++) {
         int across = k & 2, along = 2 - across; /* x and z, or z and x */
@@ -182,7 +182,7 @@ static bool meet_water(const struct camera_scene *scene, const double origin[3],
         vector3_copy(top.normal, hit->normal);
         vector3_copy(top.face, hit->face);
     }
-    if (scene->world.endless || !meet_sides(scene, origin, direction, near, &side))
+    if (isinf(scene->water.half) || !meet_sides(scene, origin, direction, near, &side))
         return met;
     *hit = side;
     return true;
@@ -192,7 +192,7 @@ bool camera_scene_water(const struct camera_scene *scene, const double origin[3]
                         struct camera_hit *hit)
 {
     *hit = (struct camera_hit){.distance = fmin(far, CAMERA_FARTHEST)};
-    if (!scene->world.water.present || !meet_water(scene, origin, direction, gap_at(origin), hit))
+    if (!(scene->world.water.half > 0) || !meet_water(scene, origin, direction, gap_at(origin), hit))
         return false;
     vector3_along(origin, direction, hit->distance, hit->position);
     return true;
@@ -204,7 +204,7 @@ struct camera_hit camera_scene_hit(const struct camera_scene *scene, const doubl
     struct camera_hit hit = {.distance = CAMERA_FARTHEST}, water;
     if (scene->solids)
         meet_solids(scene, origin, direction, near, &hit);
-    if (scene->world.solids.floor)
+    if (scene->world.solids.floor > 0)
         meet_floor(scene, origin, direction, near, &hit);
     if (camera_scene_water(scene, origin, direction, hit.distance, &water)) {
         bool touched = water.normal[1] == 0 && hit.what == CAMERA_SOLID && hit.distance < water.distance + FLUSH;
@@ -220,7 +220,7 @@ bool camera_scene_clear(const struct camera_scene *scene, const double origin[3]
     double near = gap_at(origin), far = fmin(length - near, CAMERA_FARTHEST);
     if (far <= near)
         return true;
-    if (scene->world.solids.floor && camera_tiles_block(&scene->floor, origin, direction, near, far))
+    if (scene->world.solids.floor > 0 && camera_tiles_block(&scene->floor, origin, direction, near, far))
         return false;
     if (!scene->casting)
         return true;
@@ -234,10 +234,10 @@ bool camera_scene_clear(const struct camera_scene *scene, const double origin[3]
 bool camera_scene_wet(const struct camera_scene *scene, const double place[3])
 {
     static const double up[3] = {0, 1, 0};
-    double half = scene->world.size / 2;
-    if (!scene->world.water.present)
+    double half = scene->water.half;
+    if (!(scene->world.water.half > 0))
         return false;
-    if (!scene->world.endless && (fabs(place[0]) > half || fabs(place[2]) > half || place[1] < -scene->world.depth))
+    if (fabs(place[0]) > half || fabs(place[2]) > half || (!isinf(half) && place[1] < -scene->world.depth))
         return false;
     return camera_tiles_block(&scene->water, place, up, 0, CAMERA_FARTHEST);
 }

@@ -75,12 +75,12 @@ int camera_sun_at_rest(const struct camera_scene *scene, const double place[3], 
     /* The surface, and the sides of a block that look to the sun. */
     const double normals[3][3] = {{0, 1, 0}, {copysign(1, to_sun[0]), 0, 0}, {0, 0, copysign(1, to_sun[2])}};
     int count = 0;
-    if (!scene->world.water.present || to_sun[1] <= 0)
+    if (!(scene->world.water.half > 0) || to_sun[1] <= 0)
         return 0;
     if (!wet)
         return reflected(scene, place, to_sun, beams) ? 1 : 0;
     int colors = same_index(&scene->world.water) ? 1 : 3;
-    for (int k = 0; k < (scene->world.endless ? 1 : 3); k++)
+    for (int k = 0; k < (isinf(scene->water.half) ? 1 : 3); k++)
         for (int c = 0; c < colors; c++)
             count += refracted(scene, place, to_sun, normals[k], colors == 1 ? 1 : c, beams + count);
     return count;

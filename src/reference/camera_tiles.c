@@ -4,7 +4,8 @@
 
 #include <math.h>
 
-#define REACH 32 /* tiles of mesh on either side of the middle one, where they are repeated */
+#define REACH 32   /* most tiles of mesh on either side of the middle one */
+#define CLIPPED 16 /* most meetings beyond the end of it that one ray leaves out */
 
 /* Vertices of the tile with its far edges, where a periodic surface leaves them out. */
 static bool fill_vertices(RTCGeometry geometry, const struct surface *surface, double base, int side)
@@ -43,10 +44,10 @@ static bool make_mesh(RTCDevice device, RTCScene scene, const struct surface *su
     return ok;
 }
 
-static void repeat(RTCDevice device, RTCScene scene, RTCScene mesh, double size)
+static void repeat(RTCDevice device, RTCScene scene, RTCScene mesh, double size, int tiles)
 {
-    for (int j = -REACH; j <= REACH; j++) {
-        for (int i = -REACH; i <= REACH; i++) {
+    for (int j = -tiles; j <= tiles; j++) {
+        for (int i = -tiles; i <= tiles; i++) {
             const float columns[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, (float)(i * size), 0, (float)(j * size)};
             RTCGeometry instance = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
             rtcSetGeometryInstancedScene(instance, mesh);
@@ -61,17 +62,20 @@ static void repeat(RTCDevice device, RTCScene scene, RTCScene mesh, double size)
 }
 
 bool camera_tiles_make(struct camera_tiles *tiles, RTCDevice device, const struct surface *surface, double base,
-                       double size, bool endless, const struct dpl_log *log)
+                       double size, double half, const struct dpl_log *log)
 {
-    *tiles = (struct camera_tiles){NULL, surface, base, size, size * (endless ? REACH + 0.5 : 0.5), endless};
+    int repeats = surface && surface->periodic ? (int)fmin(ceil(half / size - 0.5), REACH) : 0;
+    *tiles = (struct camera_tiles){NULL, surface, base, size, size * (repeats + 0.5), half};
     if (!surface)
         return true;
+    if (!surface->periodic)
+        tiles->half = fmin(half, size / 2);
     RTCScene mesh = rtcNewScene(device);
     bool ok = make_mesh(device, mesh, surface, base);
     tiles->scene = mesh;
-    if (ok && endless) {
+    if (ok && repeats > 0) {
         tiles->scene = rtcNewScene(device);
-        repeat(device, tiles->scene, mesh, size);
+        repeat(device, tiles->scene, mesh, size, repeats);
         rtcReleaseScene(mesh);
     }
     return (ok && rtcGetDeviceError(device) == RTC_ERROR_NONE) ||
@@ -111,9 +115,9 @@ static bool meet_plane(const struct camera_tiles *tiles, const double origin[3],
     if (!(distance > near && distance < far))
         return false;
     double x = origin[0] + direction[0] * distance, z = origin[2] + direction[2] * distance;
-    bool middle = fabs(x) <= tiles->reach && fabs(z) <= tiles->reach;
-    if (tiles->endless ? tiles->surface && middle : !middle || tiles->surface)
-        return false; /* beyond the tile, or where the mesh is */
+    double away = fmax(fabs(x), fabs(z));
+    if (away > tiles->half || (tiles->surface && away <= tiles->reach))
+        return false; /* beyond the end, or where the mesh is */
     *hit = (struct camera_tiles_hit){distance, {0, 1, 0}, {0, 1, 0}};
     if (tiles->surface) {
         double place[2];
@@ -123,15 +127,32 @@ static bool meet_plane(const struct camera_tiles *tiles, const double origin[3],
     return true;
 }
 
+/* The first meeting with the mesh that does not lie beyond the end. */
+static bool trace_mesh(const struct camera_tiles *tiles, const double origin[3], const double direction[3], double near,
+                       double far, struct RTCRayHit *ray)
+{
+    for (int i = 0; i < CLIPPED; i++) {
+        struct RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        *ray = (struct RTCRayHit){.ray = camera_ray_of(origin, direction, near, far)};
+        ray->hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        rtcIntersect1(tiles->scene, &context, ray);
+        if (ray->hit.geomID == RTC_INVALID_GEOMETRY_ID)
+            return false;
+        double distance = (double)ray->ray.tfar;
+        if (fabs(origin[0] + direction[0] * distance) <= tiles->half &&
+            fabs(origin[2] + direction[2] * distance) <= tiles->half)
+            return true;
+        near = distance + 1e-4 + 1e-6 * distance;
+    }
+    return false;
+}
+
 static bool meet_mesh(const struct camera_tiles *tiles, const double origin[3], const double direction[3], double near,
                       double far, struct camera_tiles_hit *hit)
 {
-    struct RTCRayHit ray = {.ray = camera_ray_of(origin, direction, near, far)};
-    struct RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(tiles->scene, &context, &ray);
-    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID)
+    struct RTCRayHit ray;
+    if (!trace_mesh(tiles, origin, direction, near, far, &ray))
         return false;
     const struct surface *surface = tiles->surface;
     int cells_x = surface->columns - (surface->periodic ? 0 : 1), cells_z = surface->rows - (surface->periodic ? 0 : 1);
@@ -158,8 +179,8 @@ bool camera_tiles_block(const struct camera_tiles *tiles, const double origin[3]
     far = fmin(far, CAMERA_FARTHEST);
     if (meet_plane(tiles, origin, direction, near, far, &hit))
         return true;
-    if (!tiles->scene)
-        return false;
+    if (!tiles->scene || tiles->half < tiles->reach)
+        return tiles->scene && meet_mesh(tiles, origin, direction, near, far, &hit);
     struct RTCRay ray = camera_ray_of(origin, direction, near, far);
     struct RTCIntersectContext context;
     rtcInitIntersectContext(&context);

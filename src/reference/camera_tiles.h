@@ -1,4 +1,4 @@
-/* reference/camera_tiles.h: where rays meet a height over the tile, repeated where it is endless.
+/* reference/camera_tiles.h: where rays meet a height over the tile, repeated over a square or without end.
  *
  * Near the middle the height is a mesh of the surface's own grid, its normals interpolated between the vertices. Far
  * from it, where waves are smaller than what an eye tells apart, it is a plane that keeps the normals. */
@@ -32,8 +32,8 @@ struct camera_tiles {
     RTCScene scene;                /* NULL: flat */
     const struct surface *surface; /* NULL: flat */
     double base, size;             /* m: height of the flat plane, side of the tile */
-    double reach;                  /* m: half the side of the square that has a mesh */
-    bool endless;
+    double reach;                  /* m: half a side of the square that has a mesh */
+    double half;                   /* m: half a side of all of it; may be INFINITY */
 };
 
 struct camera_tiles_hit {
@@ -43,7 +43,7 @@ struct camera_tiles_hit {
 };
 
 bool camera_tiles_make(struct camera_tiles *tiles, RTCDevice device, const struct surface *surface, double base,
-                       double size, bool endless, const struct dpl_log *log);
+                       double size, double half, const struct dpl_log *log);
 void camera_tiles_finish(struct camera_tiles *tiles);
 
 /* The first meeting farther than `near` and nearer than `far`. */

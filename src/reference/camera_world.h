@@ -17,23 +17,23 @@ struct camera_solids {
     /* Reflectance of a triangle where its second and third vertices weigh u and v. */
     void (*reflectance)(const void *user, int triangle, double u, double v, double out[3]);
 
-    bool floor;                   /* there is one, at -depth */
+    double floor;                 /* m: half a side of the square that it fills at -depth; 0: none */
     const struct surface *relief; /* heights above -depth; NULL: flat */
     void (*floor_reflectance)(const void *user, double x, double z, double out[3]);
     const void *user;
 };
 
-/* Water from its surface down, on and on where it is endless; otherwise a block over the floor's tile. */
+/* Water from its surface down to -depth. */
 struct camera_water {
-    bool present;
+    double half; /* m: half a side of the block that it fills, INFINITY: it has no end; 0: there is none */
     const struct surface *surface; /* NULL: at rest */
     double ior[3];
+    double roughness; /* root mean square of slopes that the surface's grid is too coarse for */
     struct optics_water optics;
 };
 
 struct camera_world {
     double size, depth; /* m, of the tile */
-    bool endless;       /* water and floor are repeated beyond the tile */
     struct camera_solids solids;
     struct camera_water water;
     const struct optics_sky *sky;

@@ -27,6 +27,7 @@ struct frame {
     float view_projection[16];                  /* columns; world to clip space, of that part */
     struct camera_rays rays;                    /* of that part */
     struct gpu_timer *timer;
+    struct light_progress progress; /* of looks that refine a picture */
 };
 
 #endif

@@ -205,6 +205,7 @@ static bool begin_frame(struct dpl_renderer *renderer, const struct dpl_scene *s
         .reflected_windows = renderer->lighting.above.windows,
         .sand = &renderer->sand.color,
         .timer = &renderer->timer,
+        .progress = renderer->lighting.progress,
     };
     renderer->has_sphere = scene->sphere.radius > 0;
     water_sphere_center(water_models[scene->medium.model], &renderer->lighting.setup, renderer->sphere);

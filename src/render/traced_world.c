@@ -3,6 +3,7 @@
 #include "base/log.h"
 #include "scene/sway.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 /* Reflectance of a triangle where its second and third vertices weigh u and v. */
@@ -24,17 +25,34 @@ static void solid_reflectance(const void *user, int triangle, double u, double v
         out[c] = (double)reflectance[c];
 }
 
-/* The sand's mean: its grains are as wide as a pixel. */
+/* Of a sandy floor: the texel there. */
+static void sand_reflectance(const struct traced_world *traced, double x, double z, double out[3])
+{
+    const double size = traced->scene->settings.size, place[2] = {x / size + 0.5, z / size + 0.5};
+    int texel[2];
+    for (int k = 0; k < 2; k++) {
+        texel[k] = (int)((place[k] - floor(place[k])) * traced->sand_side);
+        texel[k] = texel[k] < traced->sand_side ? texel[k] : traced->sand_side - 1;
+    }
+    const unsigned char *color = traced->sand + 4 * ((size_t)texel[1] * (size_t)traced->sand_side + (size_t)texel[0]);
+    for (int c = 0; c < 3; c++)
+        out[c] = color[c] / 255.0;
+}
+
 static void floor_reflectance(const void *user, double x, double z, double out[3])
 {
     const struct traced_world *traced = user;
-    const struct scene_floor *floor = &traced->scene->floor;
-    struct world_part part = {.pattern = floor->pattern, .pattern_size = floor->pattern_size};
+    const struct scene_floor *sea_floor = &traced->scene->floor;
+    struct world_part part = {.pattern = sea_floor->pattern, .pattern_size = sea_floor->pattern_size};
     float color[3], reflectance[3];
     const float place[2] = {(float)x, (float)z};
+    if (traced->sand && part.pattern == WORLD_PLAIN) {
+        sand_reflectance(traced, x, z, out);
+        return;
+    }
     for (int c = 0; c < 3; c++) {
-        part.joint[c] = floor->joint[c];
-        color[c] = (float)floor->color[c];
+        part.joint[c] = sea_floor->joint[c];
+        color[c] = (float)sea_floor->color[c];
     }
     world_color(&part, color, place, reflectance);
     for (int c = 0; c < 3; c++)
@@ -103,10 +121,10 @@ bool traced_world_make(struct traced_world *traced, const struct dpl_scene *scen
     if (!make_solids(traced, time, log) || !make_relief(traced, log))
         return false;
     struct camera_world *camera = &traced->camera;
+    const double half = periodic && scene->settings.edge == SCENE_EDGE_OPEN ? INFINITY : scene->settings.size / 2;
     *camera = (struct camera_world){
         .size = scene->settings.size,
         .depth = scene->settings.depth,
-        .endless = periodic && scene->settings.edge == SCENE_EDGE_OPEN,
         .solids = {.vertex_count = solids->vertex_count,
                    .triangle_count = solids->index_count / 3,
                    .positions = traced->positions,
@@ -114,11 +132,14 @@ bool traced_world_make(struct traced_world *traced, const struct dpl_scene *scen
                    .indices = solids->indices,
                    .casts = traced->casts,
                    .reflectance = solid_reflectance,
-                   .floor = true,
+                   .floor = half,
                    .relief = solids->relief_side > 0 ? &traced->relief : NULL,
                    .floor_reflectance = floor_reflectance,
                    .user = traced},
-        .water = {.present = true, .surface = water, .optics = water_optics(&scene->medium)},
+        .water = {.half = half,
+                  .surface = water,
+                  .roughness = scene->medium.roughness,
+                  .optics = water_optics(&scene->medium)},
         .sky = sky,
         .sun = optics_sun_disc(&scene->sun),
     };
@@ -133,5 +154,6 @@ void traced_world_finish(struct traced_world *traced)
     free(traced->casts);
     free(traced->parts);
     surface_finish(&traced->relief);
+    free(traced->sand);
     *traced = (struct traced_world){0};
 }

@@ -15,6 +15,8 @@ struct traced_world {
     bool *casts;                /* of each triangle */
     int *parts;                 /* that each triangle belongs to */
     struct surface relief;
+    unsigned char *sand; /* sand_side² × 4: reflectance of a sandy floor over the tile, 0 to 255; NULL: its mean */
+    int sand_side;
 };
 
 /* Makes it of the scene at a time, with water whose surface is `water`, or at rest: NULL. `periodic`: water and floor

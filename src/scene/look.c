@@ -2,10 +2,11 @@
 
 #include "dapple/scene.h"
 
-extern const struct scene_look look_physical, look_collard, look_pool, look_sanchez_crespo, look_fourier;
+extern const struct scene_look look_physical, look_collard, look_pool, look_sanchez_crespo, look_fourier,
+    look_path_traced;
 
-const struct scene_look *const scene_looks[] = {&look_physical,       &look_collard, &look_pool,
-                                                &look_sanchez_crespo, &look_fourier, NULL};
+const struct scene_look *const scene_looks[] = {&look_physical, &look_collard,     &look_pool, &look_sanchez_crespo,
+                                                &look_fourier,  &look_path_traced, NULL};
 _Static_assert(sizeof scene_looks / sizeof *scene_looks - 1 <= SCENE_LOOKS_MAX, "room for the state of each");
 
 const char *scene_look_name(int i)

@@ -37,8 +37,8 @@ static const struct dpl_param camera_params[] = {
                 "of looks with linear light: each stop doubles the picture's brightness; at 0 what is white in full "
                 "daylight is near white"),
     PARAM_COLOR(struct scene_camera, white, 4,
-                "of looks with linear light: the light that looks white; that of the sun and the sky at noon", 1.1, 0.98,
-                0.9),
+                "of looks with linear light: the light that looks white; that of the sun and the sky at noon", 1.1,
+                0.98, 0.9),
     PARAM_BOOL(struct scene_camera, closed, false,
                "its path, [camera.1] and so on, is round: at the last key's time it is back at the first key"),
     PARAM_END,
