@@ -327,8 +327,18 @@ works list params --markdown && says '| `elevation` | `60` |'
 for what in scenes waters techniques params; do
     works list $what --json && json "len(o['$what']) > 0"
 done
-refuses 2 'accepted: scenes, waters, techniques, params' list
-refuses 2 'accepted: scenes, waters, techniques, params' list fish
+refuses 2 'accepted: scenes, waters, techniques, looks, params' list
+refuses 2 'accepted: scenes, waters, techniques, looks, params' list fish
+refuses 2 'did you mean "looks"' list look
+refuses 2 'did you mean "params"' list param
+works list looks && says collard
+works list params sun.e && says sun.elevation
+grep -qF sun.azimuth "$out" && fail "list params PREFIX lists others too"
+refuses 2 'starts so: "moon"' list params moon
+refuses 2 'one word too many: "sun."' list scenes sun.
+refuses 2 'did you mean "collard-1"' render colard-1 -o a.png
+refuses 2 'did you mean "elevation"' render --set sun.elevaton=3 -o a.png
+refuses 2 'did you mean "sun"' render --set son.elevation=3 -o a.png
 refuses 2 '--markdown: only for params' list scenes --markdown
 
 # --- the ground truth ---

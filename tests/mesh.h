@@ -1,5 +1,5 @@
-/* tests/mesh.h: small files of meshes, each a tetrahedron of volume 1/6 with its corners on the axes. Include
- * support.h before. */
+/* tests/mesh.h: small files of meshes, each a tetrahedron of volume 1/6 with its corners on the axes, and a fixture
+ * that reads them. Include support.h before. */
 #ifndef TESTS_MESH_H
 #define TESTS_MESH_H
 
@@ -151,6 +151,50 @@ static inline void mesh_write(const char *path, const void *bytes, size_t length
     assert_non_null(stream);
     assert_int_equal(fwrite(bytes, 1, length, stream), length);
     fclose(stream);
+}
+
+/* A folder for files, and what was read from the last. */
+struct mesh_fixture {
+    struct support_log log;
+    char folder[64], path[512];
+    struct io_mesh mesh;
+};
+
+static inline int mesh_setup(void **state)
+{
+    struct mesh_fixture *fixture = calloc(1, sizeof *fixture);
+    support_log_start(&fixture->log);
+    support_folder_make(fixture->folder);
+    *state = fixture;
+    return 0;
+}
+
+static inline int mesh_teardown(void **state)
+{
+    struct mesh_fixture *fixture = *state;
+    io_mesh_finish(&fixture->mesh);
+    support_folder_count(fixture->folder, true);
+    free(fixture);
+    return 0;
+}
+
+static inline const char *mesh_path(struct mesh_fixture *fixture, const char *name)
+{
+    snprintf(fixture->path, sizeof fixture->path, "%s/%s", fixture->folder, name);
+    return fixture->path;
+}
+
+static inline void mesh_write_text(struct mesh_fixture *fixture, const char *name, const char *text)
+{
+    mesh_write(mesh_path(fixture, name), text, strlen(text));
+}
+
+static inline const struct io_mesh *mesh_read(struct mesh_fixture *fixture)
+{
+    io_mesh_finish(&fixture->mesh);
+    if (!io_mesh_read(fixture->path, &fixture->mesh, &fixture->log.log))
+        fail_msg("%s", fixture->log.text);
+    return &fixture->mesh;
 }
 
 #endif

@@ -1,7 +1,7 @@
 /* The light of sun and sky: sums against integrals, skies against what is measured of them, pictures of skies. */
 #include "sky.h"
 
-#include "optics/atmosphere.h"
+#include "optics/scattering.h"
 
 static const double up[3] = {0, 1, 0};
 
@@ -53,6 +53,45 @@ static void air_takes_away_what_is_measured(void **state)
     assert_true(clean.extinction[ATMOSPHERE_HAZE][8] * 1200 < 0.002f);
 }
 
+/* Air that only scatters, evenly in the mean, above black ground lets a share of the light through that is known in
+ * closed form: Eddington's approximation, good to a hundredth or two for so little air (Shettle & Weinman 1970, eq.
+ * 16). All of the light is meant, what is scattered and what is not. */
+static void air_that_takes_nothing_keeps_the_light(void **state)
+{
+    enum { RINGS = 40, TURNS = 8 };
+    struct atmosphere_columns *columns = calloc(1, sizeof *columns);
+    struct scattering *scattering = calloc(1, sizeof *scattering);
+    struct atmosphere atmosphere = {{{0}}};
+    (void)state;
+    for (int w = 0; w < SPECTRUM_COUNT; w++)
+        atmosphere.extinction[ATMOSPHERE_AIR][w] = 0.025f * (float)(w + 1) / 8000; /* optical depth 0.025 to 0.4 */
+    atmosphere_columns_make(columns);
+    scattering_make(scattering, &atmosphere, columns, 0);
+    for (double height = 0.4; height < 1; height += 0.25) {
+        const double sun[3] = {sqrt(1 - height * height), height, 0};
+        double down[SPECTRUM_COUNT] = {0};
+        for (int r = 0; r < RINGS * TURNS; r++) {
+            double y = (r / TURNS + 0.5) / RINGS, level = sqrt(1 - y * y), turn = M_PI * (r % TURNS + 0.5) / TURNS;
+            const double direction[3] = {level * cos(turn), y, level * sin(turn)};
+            double cosine = direction[0] * sun[0] + y * height;
+            struct scattering_sum sum;
+            scattering_gather(scattering, &atmosphere, columns, direction, sun, &sum);
+            for (int w = 0; w < SPECTRUM_COUNT; w++) {
+                double phase = 3 / (16 * M_PI) * (1 + cosine * cosine);
+                double light = (double)sum.once[0][w] * phase + (double)sum.more[w];
+                down[w] += light * y * 2 * M_PI / (RINGS * TURNS);
+            }
+        }
+        for (int w = 0; w < SPECTRUM_COUNT; w++) {
+            double depth = 0.025 * (w + 1), direct = exp(-depth / height);
+            double known = ((2 + 3 * height) + (2 - 3 * height) * direct) / (4 + 3 * depth);
+            expect_share(down[w] / height + direct, known, height < 0.5 ? 0.022 : 0.012);
+        }
+    }
+    free(columns);
+    free(scattering);
+}
+
 /* Irradiance is the integral of the texels and of what is looked up between them; the ground throws its share back. */
 static void irradiance_is_the_integral(void **state)
 {
@@ -89,6 +128,50 @@ static void harmonics_give_irradiance(void **state)
                     assert_true(fabs(smooth[c] - plain[c]) < 0.04 * fixture->sky.irradiance[c]);
             }
         }
+    }
+}
+
+/* Each harmonic is the integral of the sky times its polynomial. */
+static void harmonics_are_integrals(void **state)
+{
+    enum { RINGS = 200, TURNS = 200 };
+    struct fixture *fixture = *state;
+    double sums[9] = {0};
+    fixture->sun.elevation = 20;
+    make(fixture);
+    for (int i = 0; i < RINGS * TURNS; i++) {
+        double y = 1 - (i / TURNS + 0.5) * 2 / RINGS, level = sqrt(1 - y * y), turn = 2 * M_PI * (i % TURNS) / TURNS;
+        double x = level * cos(turn), z = level * sin(turn), radiance[3];
+        optics_sky_radiance(&fixture->sky, (const double[3]){x, y, z}, radiance);
+        double light = radiance[2] * 4 * M_PI / (RINGS * TURNS);
+        const double values[9] = {1, y, z, x, x * y, y * z, 3 * z * z - 1, x * z, x * x - y * y};
+        for (int n = 0; n < 9; n++)
+            sums[n] += light * values[n];
+    }
+    static const double scale[9] = {1. / 4, 3. / 4, 3. / 4, 3. / 4, 15. / 4, 15. / 4, 5. / 16, 15. / 4, 15. / 16};
+    for (int n = 0; n < 9; n++)
+        assert_true(fabs(fixture->sky.harmonics[n][2] - sums[n] * sqrt(scale[n] / M_PI)) <
+                    0.005 * fixture->sky.harmonics[0][2]);
+}
+
+/* What is seen just above the horizon has nothing of the ground in it. */
+static void the_horizon_is_sharp(void **state)
+{
+    struct fixture *fixture = *state;
+    make(fixture);
+    for (double azimuth = 0.7; azimuth < 360; azimuth += 10 * 360.0 / SKY_COLUMNS) {
+        double above[3], higher[3], below[3], direction[3];
+        direction_of(1e-6, azimuth, direction);
+        optics_sky_radiance(&fixture->sky, direction, above);
+        direction_of(90.0 / SKY_ROWS, azimuth, direction);
+        optics_sky_radiance(&fixture->sky, direction, higher);
+        direction_of(-1e-6, azimuth, direction);
+        optics_sky_radiance(&fixture->sky, direction, below);
+        for (int c = 0; c < 3; c++) {
+            expect_share(above[c], higher[c], 1e-6);
+            expect_share(below[c], (double)fixture->sky.texels[(SKY_ROWS - 1) * SKY_COLUMNS * 3 + c], 1e-6);
+        }
+        assert_true(luminance(above) > 1.2 * luminance(below));
     }
 }
 
@@ -234,6 +317,9 @@ int main(void)
         cmocka_unit_test(colours_keep_their_luminance),
         cmocka_unit_test(air_mass_is_that_of_the_tables),
         cmocka_unit_test(air_takes_away_what_is_measured),
+        cmocka_unit_test(air_that_takes_nothing_keeps_the_light),
+        cmocka_unit_test_setup_teardown(harmonics_are_integrals, setup, teardown),
+        cmocka_unit_test_setup_teardown(the_horizon_is_sharp, setup, teardown),
         cmocka_unit_test_setup_teardown(irradiance_is_the_integral, setup, teardown),
         cmocka_unit_test_setup_teardown(harmonics_give_irradiance, setup, teardown),
         cmocka_unit_test_setup_teardown(noon_is_blue, setup, teardown),

@@ -122,7 +122,7 @@ static void set_everything(struct fixture *fixture, uint64_t *random)
             else if (param->type == DPL_PARAM_TEXT)
                 snprintf(text, sizeof text, "%*s", DPL_PARAM_TEXT_SIZE - 1, "a/b c=[d]#e;f:g.png");
             for (char *c = text; param->type == DPL_PARAM_TEXT && *c == ' '; c++)
-                *c = 'x';
+                *c = c == text ? '/' : 'x';
             if (!dpl_scene_set(fixture->scene, key, text))
                 fail_msg("%s", fixture->log.text);
         }
@@ -216,6 +216,59 @@ static void a_file_goes_before_a_built_in_scene(void **state)
     assert_string_equal(value, "3");
 }
 
+static void file_is(const struct fixture *fixture, const char *folder, const char *name)
+{
+    char value[512], wanted[1024];
+    snprintf(wanted, sizeof wanted, "%s/%s", folder, name);
+    assert_true(dpl_scene_get(fixture->scene, "heightfield.file", value, sizeof value));
+    assert_string_equal(value, wanted);
+}
+
+/* In a scene's file from there; set by hand from where the program is; after saving still the same files. */
+static void files_are_found_from_the_folder_of_the_scene(void **state)
+{
+    struct fixture *fixture = *state;
+    static const char relative[] = "[heightfield]\nfile = maps/h.png\n",
+                      rooted[] = "[heightfield]\nfile = /maps/h.png\n";
+    char first[512], second[512], here[512];
+    write_file(path_of(fixture, "first.ini", first), relative, strlen(relative));
+    path_of(fixture, "second.ini", second);
+    assert_non_null(getcwd(here, sizeof here));
+    assert_true(dpl_scene_load(fixture->scene, first));
+    file_is(fixture, fixture->folder, "maps/h.png");
+    assert_true(dpl_scene_save(fixture->scene, second));
+    char *text = file_text(second);
+    assert_non_null(strstr(text, "\nfile = maps/h.png\n"));
+    free(text);
+    assert_true(dpl_scene_load(fixture->scene, second));
+    file_is(fixture, fixture->folder, "maps/h.png");
+    support_set(fixture->scene, "heightfield.file", "by/hand.png");
+    assert_true(dpl_scene_save(fixture->scene, second));
+    assert_true(dpl_scene_load(fixture->scene, second));
+    file_is(fixture, here, "by/hand.png");
+    write_file(first, rooted, strlen(rooted));
+    assert_true(dpl_scene_load(fixture->scene, first));
+    file_is(fixture, "/maps", "h.png");
+    support_set(fixture->scene, "heightfield.file", "%0*d", DPL_PARAM_TEXT_SIZE - 1, 0);
+    assert_false(dpl_scene_save(fixture->scene, second));
+    EXPECT_ERROR(&fixture->log, DPL_REASON_LIMIT, second, "too long");
+    assert_int_equal(support_folder_count(fixture->folder, false), 2);
+}
+
+static void names_that_are_nearly_right_are_told(void **state)
+{
+    struct fixture *fixture = *state;
+    assert_false(dpl_scene_load(fixture->scene, "colard-1"));
+    EXPECT_ERROR(&fixture->log, DPL_REASON_FILE_READ, "colard-1", "did you mean \"collard-1\"");
+    assert_false(dpl_scene_set(fixture->scene, "wafer.model", "sines"));
+    EXPECT_ERROR(&fixture->log, DPL_REASON_UNKNOWN_SECTION, "wafer", "did you mean \"water\"");
+    assert_false(dpl_scene_set(fixture->scene, "sun.elevaiton", "3"));
+    EXPECT_ERROR(&fixture->log, DPL_REASON_UNKNOWN_KEY, "elevaiton", "did you mean \"elevation\"");
+    assert_false(dpl_scene_set(fixture->scene, "sun.brightness", "3"));
+    assert_null(strstr(fixture->log.text, "did you mean"));
+    EXPECT_ERROR(&fixture->log, DPL_REASON_UNKNOWN_KEY, "brightness", "(accepted: ");
+}
+
 static void a_scene_that_cannot_be_saved_says_so(void **state)
 {
     struct fixture *fixture = *state;
@@ -236,6 +289,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(text_that_a_scene_cannot_hold_is_refused, setup, teardown),
         cmocka_unit_test_setup_teardown(files_that_cannot_be_read_are_named, setup, teardown),
         cmocka_unit_test_setup_teardown(a_file_goes_before_a_built_in_scene, setup, teardown),
+        cmocka_unit_test_setup_teardown(files_are_found_from_the_folder_of_the_scene, setup, teardown),
+        cmocka_unit_test_setup_teardown(names_that_are_nearly_right_are_told, setup, teardown),
         cmocka_unit_test_setup_teardown(a_scene_that_cannot_be_saved_says_so, setup, teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -142,12 +142,44 @@ static void the_scene_follows_the_clock(void **state)
     assert_int_equal(log.errors, 0);
 }
 
+/* Every technique's light is that of the angles at which the clock puts the sun, to the byte. */
+static void light_follows_the_clock(void **state)
+{
+    static const char text[] = "[scene]\nsize = 2\n[wave.1]\namplitude = 0.06\ncycles = 3 0\n[caustics]\nmap = 64\n"
+                               "[sun]\nangular_radius = 5\ndate = 2024 3 2\nhour = 11\nlatitude = 40\n";
+    (void)state;
+    for (int t = 0; light_techniques[t]; t++) {
+        struct support_log log;
+        struct dpl_scene *scene = support_scene(text, support_log_start(&log));
+        struct dpl_renderer *renderer = dpl_renderer_create(NULL, DPL_DEVICE_CPU, &log.log);
+        struct dpl_image *maps[2] = {NULL};
+        if (light_techniques[t]->physical && light_techniques[t]->trace &&
+            strcmp(light_techniques[t]->name, "reference")) {
+            double elevation, azimuth;
+            support_set(scene, "caustics.technique", light_techniques[t]->name);
+            support_set(scene, "sun.by", "clock");
+            maps[0] = dpl_renderer_map(renderer, scene, 0);
+            optics_sun_angles(&scene->sun, &elevation, &azimuth);
+            support_set(scene, "sun.by", "angles");
+            support_set(scene, "sun.elevation", "%.17g", elevation);
+            support_set(scene, "sun.azimuth", "%.17g", azimuth);
+            maps[1] = dpl_renderer_map(renderer, scene, 0);
+            assert_memory_equal(maps[0]->pixels, maps[1]->pixels, 64 * 64 * 3 * sizeof(float));
+        }
+        for (int m = 0; m < 2; m++)
+            dpl_image_destroy(maps[m]);
+        dpl_renderer_destroy(renderer);
+        dpl_scene_destroy(scene);
+        assert_int_equal(log.errors, 0);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_sun_stands_where_others_say), cmocka_unit_test(the_sun_rises_and_sets_in_time),
         cmocka_unit_test(seasons_come_when_they_should),   cmocka_unit_test(clocks_agree),
-        cmocka_unit_test(the_scene_follows_the_clock),
+        cmocka_unit_test(the_scene_follows_the_clock),     cmocka_unit_test(light_follows_the_clock),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -16,11 +16,12 @@ times=200x220+1048+36         # the times of the passes, which change with every
 scene_menu='180 45'          # the menu; its first line and the distance to the next stand below it
 entry_x=60 entry_y=70 entry_step=17
 save_button='260 91'
-path_header='120 252'
-time_early='100 298 70 298' time_late='70 298 180 298' clear_button='294 275' # below it, while it is open
-depth_from='120 371' depth_to='40 371' # the slider of scene.depth, and of [scene] the button "reset"
-scene_reset='316 325'
-compare_y=298 with_y=321       # the menus of what is compared; their entries stand below as those of the scenes do
+path_header='120 298'
+time_early='100 344 70 344' time_late='70 344 180 344' time_middle='180 344 120 344'
+clear_button='294 321' # below it, while it is open
+depth_from='120 417' depth_to='40 417' # the slider of scene.depth, and of [scene] the button "reset"
+scene_reset='316 371'
+compare_y=344 with_y=367       # the menus of what is compared; their entries stand below as those of the scenes do
 pool_water='560 270' pool_far=80x40+830+280 # a place of the water, and an area far from there
 pool_ball='700 295' pool_ball_to='640 280'
 left_part=250x500+380+100      # of the picture, left of its middle and right of it
@@ -41,98 +42,7 @@ fail() {
     exit 1
 }
 
-# try SECONDS COMMAND…: repeats the command until it succeeds.
-try() {
-    end=$(($(date +%s) + $1))
-    shift
-    until "$@"; do
-        [ "$(date +%s)" -lt $end ] || return 1
-        sleep 0.1
-    done
-}
-
-# screen NAME [AREA]: the area (default: the whole window) as NAME.png.
-screen() {
-    import -silent -window root -crop "${2:-${width}x$height+0+0}" +repage "$folder/$1.png"
-}
-
-# differ A B: how far two pictures are apart, in thousandths of full brightness.
-differ() {
-    compare -metric RMSE "$folder/$1.png" "$folder/$2.png" null: 2>&1 | sed 's/.*(\(.*\))/\1/' |
-        awk '{ printf "%d\n", $1 * 1000 + 0.5 }'
-}
-
-# rests NAME: two pictures of the screen in a row are the same, and are NAME.png.
-rests() {
-    screen before "$middle"
-    frames
-    screen "$1" "$middle"
-    [ "$(differ before "$1")" -eq 0 ]
-}
-
-# shows_other NAME OTHER [LEAST]: the picture is at rest and is not OTHER.png.
-shows_other() {
-    rests "$1" && [ "$(differ "$1" "$2")" -gt "${3:-4}" ]
-}
-
-shows_same() {
-    rests "$1" && [ "$(differ "$1" "$2")" -le 1 ]
-}
-
-moves() {
-    screen before "$middle"
-    frames
-    screen after "$middle"
-    [ "$(differ before after)" -gt 2 ]
-}
-
-meter() {
-    import -silent -window root -crop $times rgb:- | cksum
-}
-
-ticked() {
-    [ "$(meter)" != "$tick" ]
-}
-
-# Waits until the window has seen what the mouse did: a frame may have been under way, and a quick click is seen as
-# pressed in one frame and as released in the next.
-frames() {
-    for _ in 1 2 3; do
-        tick=$(meter)
-        (try 20 ticked) || fail "the window stands still" # in a subshell: a try within a try
-    done
-}
-
-point() {
-    xdotool mousemove "$1" "$2"
-    frames
-}
-
-click() {
-    point "$1" "$2"
-    xdotool click 1
-    frames
-}
-
-# drag X Y X Y [BUTTON]
-drag() {
-    point "$1" "$2"
-    xdotool mousedown "${5:-1}"
-    frames
-    point "$3" "$4"
-    xdotool mouseup "${5:-1}"
-    frames
-}
-
-find_window() {
-    window=$(xdotool search --onlyvisible --name '^dapple' 2>/dev/null | head -n 1)
-    [ -n "$window" ]
-}
-
-is_drawn() {
-    screen first "$middle"
-    [ "$(convert "$folder/first.png" -format '%[fx:standard_deviation > 0.02]' info:)" = 1 ]
-}
+. "$(dirname "$0")/viewer_hands.sh"
 
 # open ARGUMENTS…: starts the viewer and waits for a picture.
 open() {
@@ -226,9 +136,11 @@ check_path() {
     drag $time_late
     drag 600 300 700 300
     xdotool key k
+    frames
     xdotool key c
-    try 20 moves || fail "C does not play the path"
+    frames
     pause
+    drag $time_middle
     save 2
     from=$(value camera.1 position dapple-0002.ini) to=$(value camera.2 position dapple-0002.ini)
     awk -v from="$from" -v to="$to" -v now="$(value camera position dapple-0002.ini)" \
@@ -345,7 +257,7 @@ shows_panels() {
 check_reload() {
     cp -r "$shaders" "$folder/shaders"
     mkdir "$folder/beside"
-    printf '[water]\nmodel = collard\n[caustics]\nmap = 256\n' >"$folder/beside/pool.ini"
+    printf '[water]\nmodel = collard\n[render]\nlook = collard\n[caustics]\nmap = 256\n' >"$folder/beside/pool.ini"
     open beside/pool.ini --shaders shaders
     pause
     xdotool key F3
@@ -355,7 +267,7 @@ check_reload() {
     printf '[scene]\ndepth = 0.3\n' >>"$folder/beside/pool.ini"
     try 20 shows_other edited paused || fail "the scene is not read anew"
     printf 'depth = deep\n' >>"$folder/beside/pool.ini"
-    try 20 logged 'pool.ini:7: scene.depth' || fail "no message for a broken scene"
+    try 20 logged 'pool.ini:9: scene.depth' || fail "no message for a broken scene"
     try 20 shows_same kept edited || fail "a broken scene takes the picture away"
     screen message
     sed '/^    color = /a color.rgb = color.bgr;' "$shaders/render/collard_ground.glsl" \

@@ -1,5 +1,7 @@
 #include "cli/commands.h"
 
+#include "dapple/param.h"
+
 #include <stdio.h>
 #include <string.h>
 
@@ -96,10 +98,12 @@ const struct command commands[] = {
     },
     {
         .name = "list",
-        .operand = "scenes|waters|techniques|params",
+        .operand = "scenes|waters|techniques|looks|params [PREFIX]",
         .help = "what there is, with a line on each",
-        .more = "params are the values of a scene: for scene files and --set.\n",
-        .examples = {"list scenes", "list params --json"},
+        .more =
+            "params are the values of a scene: for scene files and --set; of those whose names start with PREFIX.\n",
+        .words = 2,
+        .examples = {"list scenes", "list params sun."},
         .flags = FLAG_BIT(FLAG_JSON) | FLAG_BIT(FLAG_MARKDOWN) | FLAG_BIT(FLAG_HELP),
         .run = command_list,
     },
@@ -131,38 +135,15 @@ const struct command *command_find(const char *name)
     return NULL;
 }
 
-static int least(int a, int b)
+static const char *command_name(const void *user, int i)
 {
-    return a < b ? a : b;
+    (void)user;
+    return commands[i].name;
 }
 
-/* Letters to insert, delete or replace to get from one word to the other (Levenshtein's distance), of at most their
- * first 31 bytes. */
-static int edit_distance(const char *from, const char *to)
+void command_hint(const char *word, char *text, size_t size)
 {
-    int row[32];
-    int width = (int)strnlen(to, 31);
-    for (int i = 0; i <= width; i++)
-        row[i] = i;
-    for (int j = 1; j < 32 && from[j - 1]; j++) {
-        int diagonal = row[0];
-        row[0] = j;
-        for (int i = 1; i <= width; i++) {
-            int replaced = diagonal + (from[j - 1] != to[i - 1]);
-            diagonal = row[i];
-            row[i] = least(replaced, least(row[i], row[i - 1]) + 1);
-        }
-    }
-    return row[width];
-}
-
-const struct command *command_nearest(const char *name)
-{
-    const struct command *nearest = commands;
-    for (const struct command *command = commands; command->name; command++)
-        if (edit_distance(name, command->name) < edit_distance(name, nearest->name))
-            nearest = command;
-    return nearest;
+    dpl_hint(word, command_name, NULL, text, size);
 }
 
 void command_names(char *text, size_t size)

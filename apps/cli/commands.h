@@ -8,7 +8,8 @@
 
 struct command {
     const char *name;        /* NULL ends the table */
-    const char *operand;     /* the one word that may follow, for help; NULL: none */
+    const char *operand;     /* the word that may follow, for help; NULL: none */
+    int words;               /* how many may follow, where that is not one */
     const char *help;        /* one line */
     const char *more;        /* what help says besides; lines end with a line feed */
     const char *examples[2]; /* what follows `dapple ` */
@@ -21,8 +22,8 @@ extern const struct command commands[];
 
 /* The command of that name; NULL: none. */
 const struct command *command_find(const char *name);
-/* The command whose name is the least edits away. */
-const struct command *command_nearest(const char *name);
+/* `did you mean "render"? `, or nothing: dpl_hint(). */
+void command_hint(const char *word, char *text, size_t size);
 /* "render, map, …" */
 void command_names(char *text, size_t size);
 

@@ -68,10 +68,10 @@ bool command_help(const struct options *options, struct program_log *log)
 {
     const struct command *command = options->operand ? command_find(options->operand) : NULL;
     if (options->operand && !command) {
-        char names[128];
+        char names[128], hint[64];
         command_names(names, sizeof names);
-        return fail_input(log, "help: no such command: \"%.80s\" (did you mean \"%s\"? accepted: %s)", options->operand,
-                          command_nearest(options->operand)->name, names);
+        command_hint(options->operand, hint, sizeof hint);
+        return fail_input(log, "help: no such command: \"%.80s\" (%saccepted: %s)", options->operand, hint, names);
     }
     if (command)
         print_command(command);

@@ -22,7 +22,9 @@ static struct dpl_entry builtin_scene(int index)
 static const struct list {
     const char *name;
     struct dpl_entry (*entry)(int index);
-} lists[] = {{"scenes", builtin_scene}, {"waters", dpl_water_model}, {"techniques", dpl_technique}};
+} lists[] = {
+    {"scenes", builtin_scene}, {"waters", dpl_water_model}, {"techniques", dpl_technique}, {"looks", dpl_look}};
+enum { LIST_COUNT = sizeof lists / sizeof *lists };
 
 static void list_text(const struct list *list)
 {
@@ -63,6 +65,22 @@ static void list_json(const struct list *list)
     json_close(&json, ']');
     json_close(&json, '}');
     putchar('\n');
+}
+
+/* Whether the value's name starts so; NULL: every name does. */
+static bool has_prefix(const struct dpl_section *section, const struct dpl_param *param, const char *prefix)
+{
+    char key[TEXT_SIZE];
+    snprintf(key, sizeof key, "%s.%s", section->name, param->name);
+    return !prefix || !strncmp(key, prefix, strlen(prefix));
+}
+
+static int count_entries(const struct dpl_section *section, const char *prefix)
+{
+    int count = 0;
+    for (const struct dpl_param *param = section->params; param->name; param++)
+        count += has_prefix(section, param, prefix);
+    return count;
 }
 
 static void text_entry(const struct entry *entry)
@@ -109,6 +127,8 @@ static void json_entry(const struct entry *entry, struct json *json)
 
 static void list_section(const struct dpl_section *section, const struct options *options, struct json *json)
 {
+    if (count_entries(section, options->prefix) == 0)
+        return;
     if (options->markdown)
         printf("\n## [%s]\n\n%s\n\n| key | default | accepted | what it is |\n|---|---|---|---|\n", section->name,
                section->help);
@@ -116,6 +136,8 @@ static void list_section(const struct dpl_section *section, const struct options
         printf("[%s] %s\n", section->name, section->help);
     for (const struct dpl_param *param = section->params; param->name; param++) {
         struct entry entry = {.section = section, .param = param};
+        if (!has_prefix(section, param, options->prefix))
+            continue;
         dpl_param_format(param, section->values, entry.initial, sizeof entry.initial);
         dpl_param_describe(param, entry.accepted, sizeof entry.accepted);
         if (options->markdown)
@@ -129,39 +151,61 @@ static void list_section(const struct dpl_section *section, const struct options
         putchar('\n');
 }
 
-/* A wave or an object comes into being, with defaults, when one of its values is set. */
-static bool make_present(struct dpl_scene *scene, const char *key)
+/* Some sections come into being when one of their values is set: here one of each kind, with its defaults. */
+static bool make_sections(struct dpl_scene *scene)
 {
+    static const char *const names[] = {"wave.1.phase", "camera.1.time", "object.NAME.seed"};
     char value[TEXT_SIZE];
-    return dpl_scene_get(scene, key, value, sizeof value) && dpl_scene_set(scene, key, value);
+    bool ok = true;
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        ok = ok && dpl_scene_get(scene, names[i], value, sizeof value) && dpl_scene_set(scene, names[i], value);
+    return ok;
 }
 
-static bool list_params(const struct options *options, struct program_log *log)
+static void list_sections(const struct dpl_scene *scene, const struct options *options)
 {
     struct json json = {.stream = stdout};
-    struct dpl_scene *scene = dpl_scene_create(&log->log);
-    bool ok = scene && make_present(scene, "wave.1.phase") && make_present(scene, "object.NAME.seed");
-    bool as_json = ok && options->json;
-    if (ok && options->markdown)
+    if (options->markdown)
         puts("# Values of a scene\n\nIn a scene file: `key = value` below `[section]`. On the command line: "
-             "`--set section.key=value`.\nWaves are `[wave.1]`, `[wave.2]` and so on; NAME is any word of letters, "
-             "digits "
-             "and `-`.");
-    if (as_json) {
+             "`--set section.key=value`.\nWaves are `[wave.1]`, `[wave.2]` and so on, keys of the camera's path "
+             "`[camera.1]` and so on;\nNAME is any word of letters, digits and `-`.");
+    if (options->json) {
         json_open(&json, NULL, '{');
         json_open(&json, "params", '[');
     }
-    for (int i = 0; ok && dpl_scene_section(scene, i).name; i++) {
+    for (int i = 0; dpl_scene_section(scene, i).name; i++) {
         struct dpl_section section = dpl_scene_section(scene, i);
         list_section(&section, options, &json);
     }
-    if (as_json) {
+    if (options->json) {
         json_close(&json, ']');
         json_close(&json, '}');
         putchar('\n');
     }
+}
+
+static bool list_params(const struct options *options, struct program_log *log)
+{
+    struct dpl_scene *scene = dpl_scene_create(&log->log);
+    bool ok = scene && make_sections(scene);
+    int count = 0;
+    for (int i = 0; ok && dpl_scene_section(scene, i).name; i++) {
+        struct dpl_section section = dpl_scene_section(scene, i);
+        count += count_entries(&section, options->prefix);
+    }
+    if (ok && count == 0)
+        ok = fail_input(log, "list: no value's name starts so: \"%.80s\" (accepted: as in \"sun.\" or \"water.a\")",
+                        options->prefix);
+    else if (ok)
+        list_sections(scene, options);
     dpl_scene_destroy(scene);
     return ok;
+}
+
+static const char *list_name(const void *user, int i)
+{
+    (void)user;
+    return i < LIST_COUNT ? lists[i].name : i == LIST_COUNT ? "params" : NULL;
 }
 
 bool command_list(const struct options *options, struct program_log *log)
@@ -170,13 +214,19 @@ bool command_list(const struct options *options, struct program_log *log)
     bool params = !strcmp(what, "params");
     if (options->markdown && (!params || options->json))
         return fail_input(log, "list: --markdown: only for params, and without --json");
+    if (options->prefix && !params)
+        return fail_input(log, "list: one word too many: \"%.80s\" (only params are chosen by how they start)",
+                          options->prefix);
     if (params)
         return list_params(options, log);
-    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++) {
+    for (int i = 0; i < LIST_COUNT; i++) {
         if (!strcmp(what, lists[i].name)) {
             (options->json ? list_json : list_text)(lists + i);
             return true;
         }
     }
-    return fail_input(log, "list: no such list: \"%.80s\" (accepted: scenes, waters, techniques, params)", what);
+    char hint[64];
+    dpl_hint(what, list_name, NULL, hint, sizeof hint);
+    return fail_input(log, "list: no such list: \"%.80s\" (%saccepted: scenes, waters, techniques, looks, params)",
+                      what, hint);
 }

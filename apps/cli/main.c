@@ -41,10 +41,10 @@ static bool run(char **words, struct program_log *log)
     const struct command *command = command_find(*words);
     if (command)
         return run_command(command, words + 1, log);
-    char names[128];
+    char names[128], hint[64];
     command_names(names, sizeof names);
-    return fail_input(log, "unknown command: \"%.80s\" (did you mean \"%s\"? accepted: %s, --version)", *words,
-                      command_nearest(*words)->name, names);
+    command_hint(*words, hint, sizeof hint);
+    return fail_input(log, "unknown command: \"%.80s\" (%saccepted: %s, --version)", *words, hint, names);
 }
 
 int main(int argc, char **argv)

@@ -168,6 +168,8 @@ bool options_read(struct options *options, const struct command *command, char *
             if (!taken)
                 return false;
             words += taken;
+        } else if (options->operand && command->words > 1 && !options->prefix) {
+            options->prefix = *words++;
         } else if (options->operand || !command->operand) {
             return fail_input(log, "%s: one word too many: \"%.80s\" (usage: dapple %s%s%s [flags])", command->name,
                               *words, command->name, command->operand ? " " : "",

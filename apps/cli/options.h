@@ -19,6 +19,7 @@ struct setting {
 
 struct options {
     const char *operand; /* the scene, or what to list or explain; NULL: none */
+    const char *prefix;  /* of what is listed; NULL: all */
     struct setting *settings;
     int setting_count;
     const char *output, *shaders; /* NULL: not given */

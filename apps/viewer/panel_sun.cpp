@@ -3,17 +3,30 @@
 
 #include <imgui.h>
 
+#include <cstring>
+
+/* Its place in the sky, or the hour that has it there. */
+static void show_sun(document *document)
+{
+    char by[32] = "";
+    panel_named_value(document, "sun.by");
+    if (dpl_scene_get(document->scene, "sun.by", by, sizeof by) && !strcmp(by, "clock")) {
+        panel_named_value(document, "sun.hour");
+        return;
+    }
+    panel_named_value(document, "sun.elevation");
+    panel_named_value(document, "sun.azimuth");
+}
+
 void panel_sun_and_water(document *document)
 {
-    /* Those that the scene has are shown. */
-    static const char *const names[] = {"sun.by",   "sun.elevation", "sun.azimuth",
-                                        "sun.hour", "water.type",    "render.quality"};
     if (!ImGui::CollapsingHeader("sun and water", ImGuiTreeNodeFlags_DefaultOpen))
         return;
     ImGui::PushID("sun and water");
     ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x * 0.58f);
-    for (const char *name : names)
-        panel_named_value(document, name);
+    show_sun(document);
+    panel_named_value(document, "water.type");
+    panel_named_value(document, "render.quality");
     ImGui::PopItemWidth();
     ImGui::PopID();
 }

@@ -97,7 +97,7 @@ void path_toggle(struct viewer_path *path, const struct dpl_scene *scene, struct
     if (!path->follows)
         return;
     clock->paused = false;
-    if (!is_closed(scene) && (clock->time < first || clock->time >= last))
+    if (!is_closed(scene) && (clock->time < first || clock->time > last - SAME_TIME))
         clock->time = first;
 }
 

@@ -23,7 +23,7 @@ enum dpl_param_type {
     DPL_PARAM_BOOL,   /* bool; text: true false yes no on off 1 0 */
     DPL_PARAM_CHOICE, /* int, an index into the choices; text: the choice's name */
     DPL_PARAM_COLOR,  /* double[3], linear red green blue */
-    DPL_PARAM_TEXT,   /* char[DPL_PARAM_TEXT_SIZE] */
+    DPL_PARAM_TEXT, /* char[DPL_PARAM_TEXT_SIZE]: the name of a file or folder, in a scene's file as from its folder */
 };
 
 struct dpl_param {
@@ -45,6 +45,11 @@ DPL_API bool dpl_param_format(const struct dpl_param *param, const void *values,
 
 /* Writes what the parameter accepts, for people: "0 to 90 degrees", "one of: sines, collard". Cut off at `size`. */
 DPL_API void dpl_param_describe(const struct dpl_param *param, char *text, size_t size);
+
+/* Writes `did you mean "render"? ` where one of the names is what a mistyped word is likely to stand for, else nothing.
+ * `name`: the i-th, NULL past the last. */
+DPL_API void dpl_hint(const char *word, const char *(*name)(const void *user, int i), const void *user, char *text,
+                      size_t size);
 
 #ifdef __cplusplus
 }

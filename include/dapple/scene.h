@@ -37,7 +37,8 @@ DPL_API struct dpl_scene *dpl_scene_create(const struct dpl_log *log);
 DPL_API void dpl_scene_destroy(struct dpl_scene *scene);
 
 /* Replaces the scene by a file, or, where no file of that name exists, by the built-in scene of that name. Values
- * that the text does not name get their defaults. On failure the scene stays as it was. */
+ * that the text does not name get their defaults. Names of files in a scene's file are as from its folder. On failure
+ * the scene stays as it was. */
 DPL_API bool dpl_scene_load(struct dpl_scene *scene, const char *path_or_name);
 
 /* The same from `length` bytes of text; `name` stands for the file in messages. */
@@ -66,7 +67,8 @@ DPL_API struct dpl_view dpl_scene_view(const struct dpl_scene *scene, double tim
 /* The scene's sections, one at a time; NULL-named past the last. */
 DPL_API struct dpl_section dpl_scene_section(const struct dpl_scene *scene, int index);
 
-/* What `dapple list` shows: names and one line each of the water models and the techniques, NULL past the last. */
+/* What `dapple list` shows: names and one line each of the water models, the techniques and the looks, NULL past the
+ * last. */
 struct dpl_entry {
     const char *name, *summary, *source;
     /* Of a technique: */
@@ -79,6 +81,7 @@ struct dpl_entry {
 };
 DPL_API struct dpl_entry dpl_water_model(int index);
 DPL_API struct dpl_entry dpl_technique(int index);
+DPL_API struct dpl_entry dpl_look(int index);
 
 #ifdef __cplusplus
 }

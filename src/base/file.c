@@ -74,6 +74,12 @@ static FILE *create_temporary(struct file_writer *writer)
     return NULL;
 }
 
+size_t file_folder(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash ? (size_t)(slash + 1 - path) : 0;
+}
+
 bool file_begin(struct file_writer *writer, const char *path, const struct dpl_log *log)
 {
     struct stat status;

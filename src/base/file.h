@@ -15,6 +15,9 @@ char *file_read(const char *path, size_t most, size_t *length, const struct dpl_
 /* True where `path` names something that exists. */
 bool file_exists(const char *path);
 
+/* How many bytes of the path name its folder, the last slash included; 0: it has none. */
+size_t file_folder(const char *path);
+
 /* A file being written under a temporary name in the folder of its final one. */
 struct file_writer {
     FILE *stream;

@@ -47,7 +47,7 @@
         .name = #member, .type = DPL_PARAM_CHOICE, .count = 1, .offset = offsetof(type_, member),                      \
         .initial = {initial_}, .unit = "", .help = help_, .choice = choice_                                            \
     }
-/* Text starts empty. */
+/* Text is the name of a file, and starts empty. */
 #define PARAM_TEXT(type_, member, help_)                                                                               \
     {                                                                                                                  \
         .name = #member, .type = DPL_PARAM_TEXT, .count = 1, .offset = offsetof(type_, member), .unit = "",            \

@@ -52,7 +52,9 @@ struct slopes {
 
 static struct slopes measure_slopes(const struct light_input *input, const struct light_samples *samples)
 {
-    double azimuth = input->sun->azimuth * M_PI / 180, squares[2] = {0};
+    double elevation, azimuth, squares[2] = {0};
+    optics_sun_angles(input->sun, &elevation, &azimuth);
+    azimuth *= M_PI / 180;
     struct slopes slopes = {.axis = {{cos(azimuth), sin(azimuth)}, {-sin(azimuth), cos(azimuth)}}};
     for (int i = 0; i < LIGHT_SAMPLES; i++) {
         for (int a = 0; a < 2; a++) {

@@ -4,24 +4,47 @@
 
 #include "base/log.h"
 #include "reference/ambient.h"
+#include "render/probes.h"
 #include "render/traced_world.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define FLOOR_SIDE 96    /* points of the floor a side */
+#define FLOOR_SIDE 48    /* points of the floor a side */
 #define FLOOR_MARGIN 2.0 /* m of floor around the solids */
+
+static bool trace_probes(struct probes *probes, const struct traced_world *traced, int rays, const struct dpl_log *log)
+{
+    size_t count = (size_t)probes->count;
+    float *room = base_allocate(log, count * 9 + 1, sizeof *room, "ambient light");
+    if (!room)
+        return false;
+    float *places = room, *normals = room + 3 * count, *irradiance = room + 6 * count;
+    for (size_t i = 0; i < count; i++) {
+        memcpy(places + 3 * i, probes->all[i].position, 3 * sizeof *room);
+        memcpy(normals + 3 * i, probes->all[i].normal, 3 * sizeof *room);
+    }
+    bool ok = ambient_bake(&traced->camera, probes->count, places, normals, rays, irradiance, log);
+    for (size_t i = 0; i < count; i++)
+        memcpy(probes->all[i].irradiance, irradiance + 3 * i, 3 * sizeof *room);
+    free(room);
+    return ok;
+}
 
 static bool bake_solids(struct physical *physical, const struct frame *frame, const struct traced_world *traced)
 {
     const struct dpl_log *log = frame->gl->log;
-    int count = physical->world.vertex_count;
-    float *irradiance = base_allocate(log, (size_t)count * 3 + 1, sizeof *irradiance, "ambient light");
-    bool ok = irradiance && ambient_bake(&traced->camera, count, traced->positions, traced->normals,
-                                         physical->quality.ambient_rays, irradiance, log);
-    if (ok)
-        solids_upload(&physical->solids, frame->gl, &physical->world, irradiance);
+    const struct world *world = &physical->world;
+    struct probes probes = {0};
+    float *irradiance = base_allocate(log, (size_t)world->vertex_count * 3 + 1, sizeof *irradiance, "ambient light");
+    bool ok = irradiance && probes_place(&probes, world, log) &&
+              trace_probes(&probes, traced, physical->quality.ambient_rays, log);
+    if (ok) {
+        probes_spread(&probes, world, irradiance);
+        solids_upload(&physical->solids, frame->gl, world, irradiance);
+    }
+    probes_finish(&probes);
     free(irradiance);
     return ok;
 }

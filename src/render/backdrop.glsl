@@ -1,24 +1,58 @@
-/* Behind the water's surface: what is seen straight, and the sky or the open water behind that. */
+/* Behind the water's surface: what is seen straight or through a pane, and the sky or the open water behind that. */
 #include "gpu/screen.glsl"
 
 #ifdef FRAGMENT
 #include "render/view.glsl"
+#include "render/waves.glsl"
+#include "render/line.glsl"
+#include "optics/refraction.glsl"
 #include "render/sky.glsl"
 #include "render/volume.glsl"
 #include "render/shafts_read.glsl"
-uniform sampler2D direct_color, direct_depth;
+uniform sampler2D direct_color, direct_depth, through_color, through_depth;
+uniform float tile_floor; /* m, y of the floor */
 out vec4 color;
+
+vec3 sky_behind(vec4 solid, vec3 ray)
+{
+    return solid.rgb + (1.0 - solid.a) * (sky_radiance(ray, 0.0) + sky_sun(ray, 0.0));
+}
+
+/* True where a sight meets the pane of the tank before anything else. */
+bool meets_pane(vec3 ray, float way, out vec3 there)
+{
+    float to_pane = view_plane(ray);
+    there = eye + ray * to_pane;
+    vec2 beside = abs(there.xz - plane.xz * dot(there.xz, plane.xz));
+    return to_pane < way && max(beside.x, beside.y) < waves_extent && there.y > tile_floor && there.y < waves_height(there.xz, 0.0);
+}
+
+/* The tank through its pane. */
+vec3 behind_pane(vec3 ray, vec3 there)
+{
+    vec3 bent = view_bent(ray);
+    vec4 found = texture(through_color, target);
+    float depth = texture(through_depth, target).r, cosine = -dot(plane.xyz, ray);
+    float way = depth < 1.0 ? max(view_way(depth, ray) - length(there - eye), 0.0) : 2.0 * waves_extent;
+    float share = optics_fresnel_reflectance(cosine, ior);
+    vec3 back = reflect(ray, plane.xyz);
+    vec3 inside = found.rgb + (1.0 - found.a) * ior * ior * sky_radiance(ray, 0.0);
+    inside = inside * exp(-extinction * way) + volume_glow(there, bent, way) + shafts_read(target, way);
+    return share * sky_radiance(back, 0.0) + (1.0 - share) / (ior * ior) * inside;
+}
 
 void main()
 {
-    vec3 ray = view_ray(target);
+    if (line_side(target) != side && pane == 0)
+        discard;
+    vec3 ray = view_ray(target), there;
     vec4 solid = texture(direct_color, target);
     float depth = texture(direct_depth, target).r, way = depth < 1.0 ? view_way(depth, ray) : planes.y;
-    if (side > 0.0) {
-        color = vec4(solid.rgb + (1.0 - solid.a) * (sky_radiance(ray, 0.0) + sky_sun(ray, 0.0)), 1.0);
-        return;
-    }
-    vec3 kept = exp(-extinction * way);
-    color = vec4(solid.rgb * kept + volume_glow(eye, ray, way) + shafts_read(target, way), 1.0);
+    if (pane != 0)
+        color = vec4(meets_pane(ray, way, there) ? behind_pane(ray, there) : sky_behind(solid, ray), 1.0);
+    else if (side > 0.0)
+        color = vec4(sky_behind(solid, ray), 1.0);
+    else
+        color = vec4(solid.rgb * exp(-extinction * way) + volume_glow(eye, ray, way) + shafts_read(target, way), 1.0);
 }
 #endif

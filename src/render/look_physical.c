@@ -20,10 +20,10 @@ static const struct dpl_param params[] = {
 };
 
 static const struct quality qualities[] = {
-    {1024, 4, 12, 3, 2, 32},
-    {2048, 8, 20, 2, 2, 64},
-    {4096, 12, 32, 2, 1, 128},
-    {4096, 24, 64, 1, 1, 256},
+    {1024, 4, 12, 3, 2, 128, 1},
+    {2048, 8, 20, 2, 2, 256, 1},
+    {4096, 12, 32, 2, 1, 512, 2},
+    {4096, 24, 64, 1, 1, 1024, 3},
 };
 
 /* The sky as a texture, with smaller levels for what rough water mirrors of it. */
@@ -53,19 +53,6 @@ static bool update_layers(struct physical *physical, const struct frame *frame)
     return true;
 }
 
-/* On which side of the water the eye is. */
-static double eye_side(const struct frame *frame)
-{
-    const double *eye = frame->camera->position;
-    double x = eye[0], z = eye[2], height, slopes[2], shifts[2], area;
-    struct water_points point = {1, &x, &z, &height, slopes, slopes + 1, shifts, shifts + 1, &area};
-    double extent = waves_extent(frame);
-    if (extent > 0 && fmax(fabs(x), fabs(z)) > extent)
-        return 1;
-    water_sample(water_models[frame->scene->medium.model], frame->setup, frame->time, &point);
-    return eye[1] < height ? -1 : 1;
-}
-
 static bool prepare(void *state, const struct frame *frame)
 {
     struct physical *physical = state;
@@ -76,7 +63,6 @@ static bool prepare(void *state, const struct frame *frame)
     if (!update_sky(physical, frame) || !world_build(&physical->world, frame->scene, gl->log))
         return false;
     physical->light = physical_light(&physical->sky, frame);
-    physical->side = eye_side(frame);
     return update_layers(physical, frame) && rings_ready(&physical->rings, gl, RINGS, RING_VERTICES) &&
            shadow_prepare(&physical->shadow, frame, physical) && solids_prepare(&physical->solids, gl) &&
            seabed_prepare(&physical->seabed, frame, &physical->world) && ambient_update(physical, frame) &&
@@ -105,34 +91,46 @@ static void draw_backdrop(const struct physical *physical, const struct frame *f
     gpu_draw_screen(frame->gl);
 }
 
-static void draw_sea(const struct physical *physical, const struct frame *frame)
+/* The water's surface. `blind`: the layers do not show what is seen through it. */
+static void draw_sea(const struct physical *physical, const struct frame *frame, bool blind)
 {
     struct dpl_gl *gl = frame->gl;
     const struct gpu_program *program = &physical->sea;
     program_use(gl, program);
     physical_bind(physical, frame, program);
     physical_bind_layers(physical, frame, program);
+    program_int(gl, program, "blind", blind);
+    program_int(gl, program, "look_ups", physical->quality.look_ups);
+    program_int(gl, program, "mirrored_there", physical->sight.side < 0 || physical->world.high[1] > 0);
+    if (physical->sight.pane) { /* it is drawn into this layer */
+        texture_bind(gl, &physical->layers[LAYER_DIRECT].color, UNIT_THROUGH_COLOR);
+        texture_bind(gl, &physical->layers[LAYER_DIRECT].depth, UNIT_THROUGH_DEPTH);
+    }
     gl->Enable(GL_DEPTH_TEST);
     rings_draw(&physical->rings, frame, program, frame->camera->position[1], HORIZON, waves_extent(frame));
     gl->Disable(GL_DEPTH_TEST);
 }
 
-static void draw(void *state, const struct frame *frame)
+/* The three layers, as they are seen from the air and from the water. */
+static void draw_layers(const struct physical *physical, const struct frame *frame)
 {
-    struct physical *physical = state;
-    struct dpl_gl *gl = frame->gl;
-    const struct physical_settings *settings = frame->params;
-    bool in_water = physical->side < 0;
-    gl->Disable(GL_SCISSOR_TEST);
-    timer_pass(frame->timer, "shadow");
-    shadow_draw(&physical->shadow, frame, physical);
+    bool pane = physical->sight.pane, in_water = physical->sight.side < 0;
     timer_pass(frame->timer, "straight");
-    draw_layer(physical, frame, LAYER_DIRECT, in_water);
-    timer_pass(frame->timer, "through");
-    draw_layer(physical, frame, LAYER_THROUGH, !in_water);
+    draw_layer(physical, frame, LAYER_DIRECT, in_water && !pane);
     timer_pass(frame->timer, "mirrored");
     draw_layer(physical, frame, LAYER_MIRROR, in_water);
-    physical->has_shafts = in_water && settings->shafts && settings->caustics;
+    timer_pass(frame->timer, "through");
+    draw_layer(physical, frame, LAYER_THROUGH, !in_water || pane);
+    if (pane)
+        draw_sea(physical, frame, false);
+}
+
+static void draw_sight(struct physical *physical, const struct frame *frame)
+{
+    struct dpl_gl *gl = frame->gl;
+    const struct physical_settings *settings = frame->params;
+    draw_layers(physical, frame);
+    physical->has_shafts = physical->sight.side < 0 && settings->shafts && settings->caustics;
     if (physical->has_shafts) {
         timer_pass(frame->timer, "shafts");
         shafts_draw(physical, frame);
@@ -143,7 +141,24 @@ static void draw(void *state, const struct frame *frame)
     timer_pass(frame->timer, "backdrop");
     draw_backdrop(physical, frame);
     timer_pass(frame->timer, "sea");
-    draw_sea(physical, frame);
+    if (!physical->sight.pane)
+        draw_sea(physical, frame, false);
+    gl->Disable(GL_SCISSOR_TEST);
+}
+
+static void draw(void *state, const struct frame *frame)
+{
+    struct physical *physical = state;
+    struct sight sights[2];
+    int count = sight_find(frame, sights);
+    frame->gl->Disable(GL_SCISSOR_TEST);
+    timer_pass(frame->timer, "shadow");
+    shadow_draw(&physical->shadow, frame, physical);
+    for (int i = 0; i < count; i++) {
+        physical->sight = sights[i];
+        draw_sight(physical, frame);
+    }
+    frame->gl->Enable(GL_SCISSOR_TEST);
 }
 
 static void finish(void *state, struct dpl_gl *gl)

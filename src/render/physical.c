@@ -52,6 +52,9 @@ static void bind_sight(const struct physical *physical, const struct frame *fram
 {
     struct dpl_gl *gl = frame->gl;
     const struct scene_camera *camera = frame->camera;
+    const struct sight *sight = &physical->sight;
+    const float plane[4] = {(float)sight->plane[0], (float)sight->plane[1], (float)sight->plane[2],
+                            (float)sight->plane[3]};
     program_mat4(gl, program, "view_projection", frame->view_projection);
     program_vec3(gl, program, "eye", camera->position);
     program_vec3(gl, program, "ahead", frame->rays.ahead);
@@ -60,7 +63,11 @@ static void bind_sight(const struct physical *physical, const struct frame *fram
     program_vec2(gl, program, "planes", camera->near_plane, camera->far_plane);
     program_vec2(gl, program, "picture", frame->view.columns, frame->view.rows);
     program_float(gl, program, "ior", frame->scene->medium.ior);
-    program_float(gl, program, "side", physical->side);
+    program_float(gl, program, "side", sight->side);
+    program_vec4s(gl, program, "plane", 1, plane);
+    program_float(gl, program, "plane_index", sight->plane_index);
+    program_int(gl, program, "pane", sight->pane);
+    program_int(gl, program, "line_there", sight->line);
 }
 
 static void bind_light(const struct physical *physical, const struct frame *frame, const struct gpu_program *program)

@@ -57,9 +57,11 @@ struct physical_light {
     double floor_radiance[3]; /* of the flat floor under flat water */
 };
 
+/* How much work a picture is worth. */
 struct quality {
-    int shadow_side, shadow_taps, shaft_steps, shaft_share, mirror_share,
-        ambient_rays; /* share: of the picture's side, 1 / share */
+    int shadow_side, shadow_taps;
+    int shaft_steps, shaft_share, mirror_share; /* share: these layers' sides are the picture's, divided by it */
+    int ambient_rays, look_ups;
 };
 
 struct shadow {
@@ -86,6 +88,18 @@ struct shafts {
     struct gpu_texture raw, smooth, noise;
 };
 
+/* How the eye sees the water. */
+struct sight {
+    double side;     /* of the rest surface that a sight is on when it meets it: 1 above, -1 below */
+    double plane[4]; /* unit normal towards the eye, and distance from the origin, of the plane between air and water */
+    double plane_index; /* refractive index beyond it to that before it */
+    bool pane;          /* the plane is a tank's pane, and the eye outside */
+    bool line;          /* the lens is half in the water: this is one of two sights */
+};
+
+/* The sights that a picture needs, one or two; returns how many. */
+int sight_find(const struct frame *frame, struct sight sights[2]);
+
 /* The look's state. All zero at first. */
 struct physical {
     struct optics_sky sky;
@@ -111,7 +125,7 @@ struct physical {
     /* Of this frame: */
     struct physical_light light;
     struct quality quality;
-    double side; /* 1: the eye is above the water, -1: in it */
+    struct sight sight; /* that is drawn now */
     bool has_shafts;
 };
 

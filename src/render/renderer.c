@@ -246,7 +246,7 @@ static bool draw_linear(struct dpl_renderer *renderer, struct frame *frame)
     }
     timer_pass(&renderer->timer, "tone");
     target_begin(gl, &renderer->target, black);
-    tone_show(gl, tone, frame->camera->exposure, frame->scene->render.tone);
+    tone_show(gl, tone, frame->camera, frame->scene->render.tone);
     return true;
 }
 

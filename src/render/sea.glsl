@@ -16,15 +16,20 @@ void main()
     if (rings_extent > 0.0)
         xz = clamp(xz, vec2(-rings_extent), vec2(rings_extent));
     position = vec3(xz.x, waves_height(xz, log2(max(spacing / waves_spacing, 1.0))), xz.y);
-    gl_Position = view_projection * vec4(position, 1.0);
+    gl_Position = view_projection * vec4(pane != 0 ? view_through(position, -1.0) : position, 1.0);
+    gl_Position.z = min(gl_Position.z, 0.999999 * gl_Position.w); /* the horizon lies beyond the far plane */
 }
 #else
+#include "render/line.glsl"
 #include "optics/refraction.glsl"
 #include "render/sky.glsl"
 #include "render/shadow.glsl"
 #include "render/shafts_read.glsl"
 uniform sampler2D direct_depth, through_color, through_depth, mirror_color, mirror_depth;
 uniform vec2 picture;         /* pixels */
+uniform int look_ups;         /* times that a layer is asked where a ray goes */
+uniform int mirrored_there;   /* 0: nothing stands on this side of the water */
+uniform int blind;            /* the layers do not show what is seen from here: open water, and the sky */
 uniform float tile_floor;     /* m, y of the floor */
 uniform vec3 floor_radiance;  /* of the floor where it is not in the picture */
 in vec3 position;
@@ -37,37 +42,29 @@ vec3 slope_here()
     return vec3(texel.yz, max(texel.w - dot(texel.yz, texel.yz), 0.0) + waves_roughness);
 }
 
-/* Height above (or depth below) the rest surface of what a layer shows at a place; `away` is 1 on the eye's side. */
-float layer_height(sampler2D depths, vec2 place, float away)
-{
-    vec3 ray = view_ray(place);
-    float depth = texture(depths, place).r, way = view_way(depth, ray) + eye.y / ray.y, index = view_index();
-    float up = away > 0.0 ? abs(ray.y) : sqrt(max(1.0 - (1.0 - ray.y * ray.y) / (index * index), 0.0));
-    return depth < 1.0 ? side * away * up * max(way, 0.0) : side * away * 1e4;
-}
-
 /* What a ray from the surface meets, by a layer: radiance and coverage, and how far off it is. */
 vec4 layer_color(sampler2D colors, sampler2D depths, int layer, vec3 ray, out float way)
 {
-    float away = layer == LAYER_MIRROR ? 1.0 : -1.0;
     vec2 place = gl_FragCoord.xy / picture;
-    way = 0.0;
-    for (int i = 0; i < 2; i++) {
-        float height = layer_height(depths, place, away);
-        way = clamp((height - position.y) / ray.y, 0.0, planes.y);
-        vec2 next = view_place(view_apparent(position + ray * way, layer));
+    float depth = texture(depths, place).r;
+    for (int i = 0; i < look_ups; i++) {
+        vec3 shown = view_point(place, depth, layer), apparent;
+        way = depth < 1.0 ? clamp((shown.y - position.y) / ray.y, 0.0, planes.y) : planes.y;
+        float before = view_plane(view_ray(place)), share = before / max(before + distance(shown, position), 1e-3);
+        vec2 next = view_place(view_apparent(position + ray * way, layer, clamp(share, 0.0, 1.0)));
         place = clamp(next.x < 0.0 ? place : next, vec2(0.0), vec2(1.0));
+        depth = texture(depths, place).r;
     }
-    vec4 found = texture(colors, place);
-    way = clamp((layer_height(depths, place, away) - position.y) / ray.y, 0.0, planes.y);
-    return found;
+    way = depth < 1.0 ? clamp((view_point(place, depth, layer).y - position.y) / ray.y, 0.0, planes.y) : planes.y;
+    return texture(colors, place);
 }
 
 /* The share of light thrown back by a rough surface: Fresnel's, lowered where waves hide each other (Bruneton et al. 2010,
  * eq. 24, as a ratio). */
 float reflectance(float cosine, float index, float roughness)
 {
-    float smooth_part = pow(1.0 - cosine, 5.0), rough = pow(1.0 - cosine, 5.0 * exp(-2.69 * roughness)) / (1.0 + 22.7 * pow(roughness, 1.5));
+    float smooth_part = pow(1.0 - cosine, 5.0);
+    float rough = pow(1.0 - cosine, 5.0 * exp(-2.69 * roughness)) / (1.0 + 22.7 * pow(roughness, 1.5));
     float fresnel = optics_fresnel_reflectance(cosine, index);
     return clamp(fresnel * mix(1.0, rough / max(smooth_part, 1e-4), smooth_part), 0.0, 1.0);
 }
@@ -84,11 +81,16 @@ vec3 glint(vec3 to_eye, vec2 slopes, float variance)
     return sun_irradiance * share * density / (4.0 * square * square * max(to_eye.y, 0.05));
 }
 
-/* Open water below, seen along a ray that goes down from the surface. */
+/* What a ray that goes down from the surface sees where the layers have nothing: the floor, or where the water ends before
+ * it, what is behind a pane, or as much as the floor. */
 vec3 open_water(vec3 ray)
 {
-    float way = min((tile_floor - position.y) / min(ray.y, -1e-3), planes.y);
-    return floor_radiance * exp(-extinction * way) + volume_glow(position, ray, way);
+    float to_floor = (tile_floor - position.y) / min(ray.y, -1e-3), to_edge = planes.y;
+    if (waves_extent > 0.0)
+        to_edge = waves_extent / max(length(ray.xz), 1e-3);
+    vec3 behind = pane != 0 && to_edge < to_floor ? ior * ior * sky_radiance(ray, 0.0) : floor_radiance;
+    float way = min(to_floor, to_edge);
+    return behind * exp(-extinction * way) + volume_glow(position, ray, way);
 }
 
 vec3 from_above(vec3 to_eye, vec3 normal, vec3 slope)
@@ -97,10 +99,10 @@ vec3 from_above(vec3 to_eye, vec3 normal, vec3 slope)
     vec3 back = optics_reflect(to_eye, normal), into = optics_refract(to_eye, normal, ior);
     back = normalize(vec3(back.x, abs(back.y) + 1e-3, back.z));
     float share = reflectance(max(dot(to_eye, normal), 0.0), ior, roughness);
-    vec4 mirrored = layer_color(mirror_color, mirror_depth, LAYER_MIRROR, back, way);
+    vec4 mirrored = blind != 0 || mirrored_there == 0 ? vec4(0.0) : layer_color(mirror_color, mirror_depth, LAYER_MIRROR, back, way);
     vec3 thrown = mirrored.rgb + (1.0 - mirrored.a) * sky_radiance(back, 2.0 * roughness);
     vec4 below = layer_color(through_color, through_depth, LAYER_THROUGH, into, way);
-    vec3 let = below.a > 0.0 ? below.rgb * exp(-extinction * way) + volume_glow(position, into, way) : open_water(into);
+    vec3 let = below.a > 0.0 && blind == 0 ? below.rgb * exp(-extinction * way) + volume_glow(position, into, way) : open_water(into);
     vec3 sparkle = glint(to_eye, slope.xy, slope.z);
     if (max(max(sparkle.r, sparkle.g), sparkle.b) > 1e-4)
         sparkle *= shadow_light(position, vec3(0.0), to_sun);
@@ -116,17 +118,27 @@ vec3 from_below(vec3 to_eye, vec3 normal, vec3 slope)
     back.y = -abs(back.y);
     vec4 mirrored = layer_color(mirror_color, mirror_depth, LAYER_MIRROR, back, way);
     vec3 thrown = mirrored.a > 0.0 ? mirrored.rgb * exp(-extinction * way) + volume_glow(position, back, way) : open_water(back);
-    vec4 above = layer_color(through_color, through_depth, LAYER_THROUGH, out_of, way);
+    vec4 above = pane != 0 ? vec4(0.0) : layer_color(through_color, through_depth, LAYER_THROUGH, out_of, way);
     float blur = 0.33 * roughness + 1e-4;
     vec3 let = above.rgb + (1.0 - above.a) * (sky_radiance(out_of, blur) + sky_sun(out_of, blur));
     return share * thrown + (leaves ? (1.0 - share) * ior * ior * let : vec3(0.0));
 }
 
+/* From where sight comes to the surface: the eye, or the pane. */
+vec3 sight_origin()
+{
+    if (pane == 0)
+        return eye;
+    vec3 ray = view_ray(gl_FragCoord.xy / picture);
+    return eye + ray * view_plane(ray);
+}
+
 void main()
 {
-    if (!waves_cover(position.xz) || texelFetch(direct_depth, ivec2(gl_FragCoord.xy), 0).r < gl_FragCoord.z)
+    bool hidden = pane == 0 && texelFetch(direct_depth, ivec2(gl_FragCoord.xy), 0).r < gl_FragCoord.z;
+    if (!waves_cover(position.xz) || hidden || line_side(gl_FragCoord.xy / picture) != side)
         discard;
-    vec3 slope = slope_here(), sight = position - eye, to_eye = -normalize(sight);
+    vec3 slope = slope_here(), origin = sight_origin(), sight = position - origin, to_eye = -normalize(sight);
     vec3 normal = normalize(vec3(-slope.x, 1.0, -slope.y));
     /* Waves that turn away from the eye are seen at a grazing angle at most. */
     float facing = side * dot(normal, to_eye);
@@ -134,8 +146,9 @@ void main()
         normal = normalize(normal + side * (0.02 - facing) * to_eye);
     float way = length(sight);
     vec3 radiance = side > 0.0 ? from_above(to_eye, normal, slope) : from_below(to_eye, normal, slope);
-    if (side < 0.0)
-        radiance = radiance * exp(-extinction * way) + volume_glow(eye, -to_eye, way) + shafts_read(gl_FragCoord.xy / picture, way);
+    if (side < 0.0 && pane == 0)
+        radiance = radiance * exp(-extinction * way) + volume_glow(eye, -to_eye, way) +
+                   shafts_read(gl_FragCoord.xy / picture, way);
     color = vec4(radiance, 1.0);
 }
 #endif

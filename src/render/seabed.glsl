@@ -16,7 +16,7 @@ void main()
     vec2 xz = rings_place(spacing);
     float level = log2(max(spacing * float(textureSize(relief_texels, 0).x) / relief_size, 1.0));
     position = vec3(xz.x, tile_floor + textureLod(relief_texels, xz / relief_size + 0.5, level).x, xz.y);
-    gl_Position = view_projection * vec4(view_apparent(position, layer), 1.0);
+    gl_Position = view_projection * vec4(view_apparent(position, layer, -1.0), 1.0);
 }
 #else
 #include "render/receiver.glsl"

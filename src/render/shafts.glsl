@@ -8,7 +8,7 @@ uniform sampler2DArray light_texels; /* as in light/map.glsl */
 uniform int light_channels;
 uniform vec3 light_window, light_step;
 uniform float tile_size, tile_depth; /* m */
-uniform sampler2D direct_depth;
+uniform sampler2D direct_depth, through_depth;
 uniform vec3 to_sun;
 uniform sampler2D noise; /* blue */
 uniform int steps;
@@ -37,10 +37,17 @@ bool solid_before_sun(vec3 point)
 
 void main()
 {
-    vec3 ray = view_ray(target);
+    vec3 ray = view_ray(target), start = eye;
     float depth = textureLod(direct_depth, target, 0.0).r, end = depth < 1.0 ? view_way(depth, ray) : planes.y;
+    if (pane != 0) {
+        float to_pane = view_plane(ray);
+        depth = textureLod(through_depth, target, 0.0).r;
+        end = depth < 1.0 ? max(view_way(depth, ray) - to_pane, 0.0) : tile_size;
+        start = eye + ray * to_pane;
+        ray = view_bent(ray);
+    }
     if (ray.y > 0.0)
-        end = min(end, -eye.y / ray.y);
+        end = min(end, max(-start.y, 0.0) / ray.y);
     /* Where the water has taken all but a thousandth there is nothing to see. */
     float clearest = min(min(extinction.r, extinction.g), extinction.b), reach = min(end, 7.0 / max(clearest, 1e-3));
     vec2 random = texelFetch(noise, ivec2(gl_FragCoord.xy) & 63, 0).rg;
@@ -48,7 +55,7 @@ void main()
     for (int i = 0; i < steps; i++) {
         /* steps as short near the eye as the texels are small there: way = reach x² */
         float x = (float(i) + random.x) / float(steps), way = reach * x * x, step_way = 2.0 * reach * x / float(steps);
-        vec3 point = eye + ray * way;
+        vec3 point = start + ray * way;
         vec3 light = solid_before_sun(point) ? vec3(0.0) : light_here(point, max(way * pixel, 0.5 * step_way * 0.1), random.y);
         sum += (light - 1.0) * volume_sun(max(-point.y, 0.0)) * exp(-extinction * way) * step_way;
     }

@@ -18,7 +18,7 @@ void main()
     base = vertex_color;
     ambient = vertex_ambient;
     place = vertex_place;
-    gl_Position = view_projection * vec4(view_apparent(position, layer), 1.0);
+    gl_Position = view_projection * vec4(view_apparent(position, layer, -1.0), 1.0);
 }
 #else
 #include "render/receiver.glsl"

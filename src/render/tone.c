@@ -30,12 +30,15 @@ void tone_add(struct dpl_gl *gl, struct tone *tone, int index)
     gl->Disable(GL_BLEND);
 }
 
-void tone_show(struct dpl_gl *gl, struct tone *tone, double exposure, int curve)
+void tone_show(struct dpl_gl *gl, struct tone *tone, const struct scene_camera *camera, int curve)
 {
+    double exposure[3];
+    for (int c = 0; c < 3; c++)
+        exposure[c] = M_PI * exp2(camera->exposure) / fmax(camera->white[c], 1e-3);
     program_use(gl, &tone->show);
     texture_bind(gl, &tone->mean, 0);
     program_int(gl, &tone->show, "radiance", 0);
-    program_float(gl, &tone->show, "exposure", M_PI * exp2(exposure));
+    program_vec3(gl, &tone->show, "exposure", exposure);
     program_int(gl, &tone->show, "filmic", curve == SCENE_TONE_FILMIC);
     gpu_draw_screen(gl);
 }

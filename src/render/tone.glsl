@@ -3,7 +3,7 @@
 
 #ifdef FRAGMENT
 uniform sampler2D radiance;
-uniform float exposure; /* what radiance is multiplied by */
+uniform vec3 exposure; /* what radiance is multiplied by */
 uniform int filmic;
 out vec4 color;
 

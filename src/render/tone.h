@@ -23,9 +23,9 @@ void tone_place(int index, int count, double place[2]);
 /* Takes what has been drawn into `radiance` as sample `index`, from 0. */
 void tone_add(struct dpl_gl *gl, struct tone *tone, int index);
 
-/* Draws the mean into the bound framebuffer: exposed by that many stops, through a curve (enum
- * scene_tone), encoded for the screen. */
-void tone_show(struct dpl_gl *gl, struct tone *tone, double exposure, int curve);
+/* Draws the mean into the bound framebuffer as the camera takes it, through a curve (enum scene_tone), encoded for the
+ * screen. */
+void tone_show(struct dpl_gl *gl, struct tone *tone, const struct scene_camera *camera, int curve);
 
 void tone_finish(struct dpl_gl *gl, struct tone *tone);
 

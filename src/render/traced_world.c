@@ -121,7 +121,7 @@ bool traced_world_make(struct traced_world *traced, const struct dpl_scene *scen
     if (!make_solids(traced, time, log) || !make_relief(traced, log))
         return false;
     struct camera_world *camera = &traced->camera;
-    const double half = periodic && !scene->settings.bounded ? INFINITY : scene->settings.size / 2;
+    const double half = periodic && scene->settings.edge == SCENE_EDGE_OPEN ? INFINITY : scene->settings.size / 2;
     *camera = (struct camera_world){
         .size = scene->settings.size,
         .depth = scene->settings.depth,

@@ -1,5 +1,7 @@
 #include "render/waves.h"
 
+#define WALL 0.005 /* m */
+
 enum { UNIT_SURFACE };
 
 bool waves_update(struct waves *waves, const struct frame *frame)
@@ -21,7 +23,7 @@ bool waves_update(struct waves *waves, const struct frame *frame)
 double waves_extent(const struct frame *frame)
 {
     const struct scene_settings *settings = &frame->scene->settings;
-    return settings->bounded || !frame->above->periodic ? settings->size / 2 : 0;
+    return settings->edge != SCENE_EDGE_OPEN || !frame->above->periodic ? settings->size / 2 : 0;
 }
 
 void waves_bind(const struct waves *waves, const struct frame *frame, const struct gpu_program *program, int unit)
@@ -34,6 +36,8 @@ void waves_bind(const struct waves *waves, const struct frame *frame, const stru
     program_float(gl, program, "waves_size", surface->size);
     program_float(gl, program, "waves_spacing", surface->size / cells);
     program_float(gl, program, "waves_extent", waves_extent(frame));
+    program_float(gl, program, "waves_wall",
+                  waves_extent(frame) + (frame->scene->settings.edge == SCENE_EDGE_GLASS ? -WALL : WALL));
     program_float(gl, program, "waves_roughness", frame->scene->medium.roughness * frame->scene->medium.roughness);
 }
 

@@ -21,6 +21,7 @@ struct scene_camera {
     double field_of_view; /* degrees, vertical */
     double near_plane, far_plane;
     double exposure; /* stops */
+    double white[3]; /* light that looks white */
     bool closed; /* the path: it is back at the first key when the last key's time is there, and goes on from there */
 };
 

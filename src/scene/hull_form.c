@@ -38,14 +38,13 @@ void hull_point(const double size[3], double along, double up, double point[3])
     point[2] = size[2] / 2 * plan(along, up) * out;
 }
 
-double hull_half_breadth(const double size[3], double along, double height)
+void hull_point_at(const double size[3], double along, double height, double point[3])
 {
-    double low = 0, high = 1, point[3];
+    double low = 0, high = 1;
     for (int i = 0; i < 30; i++) {
         double middle = (low + high) / 2;
         hull_point(size, along, middle, point);
         *(point[1] < height ? &low : &high) = middle;
     }
-    hull_point(size, along, low, point);
-    return low > 0 ? point[2] : 0;
+    hull_point(size, along, high, point);
 }

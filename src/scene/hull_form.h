@@ -7,7 +7,7 @@
  * edge. It is the half at z ≥ 0. */
 void hull_point(const double size[3], double along, double up, double point[3]);
 
-/* Half the breadth at that height, m; 0 below the hull, that of the edge above it. */
-double hull_half_breadth(const double size[3], double along, double height);
+/* The point at a height in m; where the hull is not as low or as high, its lowest or highest. */
+void hull_point_at(const double size[3], double along, double height, double point[3]);
 
 #endif

@@ -9,13 +9,19 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const char *edge_name(int i)
+{
+    static const char *const names[] = {"open", "walls", "glass", NULL};
+    return names[i];
+}
+
 static const struct dpl_param settings_params[] = {
     PARAM_FLOAT(struct scene_settings, size, 4, 0.01, 10000, "m", "side of the square tile of water"),
     PARAM_FLOAT(struct scene_settings, depth, 1, 0, 1000, "m", "from the rest surface down to the floor"),
     PARAM_FLOAT(struct scene_settings, loop, 0, 0, 3600, "s", "every wave repeats after this time; 0 = no loop"),
-    PARAM_BOOL(struct scene_settings, bounded, false,
-               "water and floor end at the tile's edges, as in a pool (look = physical); no: periodic water goes on to "
-               "the horizon"),
+    PARAM_CHOICE(struct scene_settings, edge, SCENE_EDGE_OPEN, edge_name,
+                 "where water and floor end (look = physical): open = at the horizon, or at the tile's edges where the "
+                 "model is bounded; walls = at the tile's edges; glass = the same, and one sees in from outside"),
     PARAM_INT(struct scene_settings, seed, 1, 0, 1000000, "", "start of everything random (grains of sand, photons)"),
     PARAM_END,
 };
@@ -30,6 +36,9 @@ static const struct dpl_param camera_params[] = {
     PARAM_FLOAT(struct scene_camera, exposure, 0, -20, 20, "stops",
                 "of looks with linear light: each stop doubles the picture's brightness; at 0 what is white in full "
                 "daylight is near white"),
+    PARAM_COLOR(struct scene_camera, white, 4,
+                "of looks with linear light: the light that looks white; that of the sun and the sky at noon", 1.1,
+                0.98, 0.9),
     PARAM_BOOL(struct scene_camera, closed, false,
                "its path, [camera.1] and so on, is round: at the last key's time it is back at the first key"),
     PARAM_END,

@@ -11,9 +11,12 @@
 #include "scene/object.h"
 #include "water/water.h"
 
+/* What is at the tile's edges. */
+enum scene_edge { SCENE_EDGE_OPEN, SCENE_EDGE_WALLS, SCENE_EDGE_GLASS };
+
 struct scene_settings {
     double size, depth, loop;
-    bool bounded; /* water and floor end with the tile */
+    int edge; /* enum scene_edge */
     int seed;
 };
 

@@ -36,10 +36,15 @@ static void add_strip(struct world_builder *builder, const struct side *side, co
     piece_panel(builder, corner, right, up, cell, color);
 }
 
+static double coping_base(const struct scene_object *object)
+{
+    return fmax(object->size[1] - COPING_HEIGHT, 0.5 * object->size[1]);
+}
+
 static void add_walls(struct world_builder *builder, const struct side *side, const struct scene_object *object)
 {
     const struct world_part tiles = piece_material(object, WORLD_TILES);
-    double top = object->size[1] - COPING_HEIGHT, tile = tiles.pattern_size;
+    double top = coping_base(object), tile = tiles.pattern_size;
     double band = fmax(floor((top - BAND) / tile + 0.5) * tile, 0); /* between two rows of tiles */
     builder_part(builder, &tiles);
     if (band > 0)
@@ -50,7 +55,7 @@ static void add_walls(struct world_builder *builder, const struct side *side, co
 static void add_coping(struct world_builder *builder, const struct side *side, const struct scene_object *object)
 {
     struct world_part stone = builder_material(object);
-    double top = object->size[1], low = top - COPING_HEIGHT;
+    double top = object->size[1], low = coping_base(object);
     stone.pattern = WORLD_PLAIN;
     builder_part(builder, &stone);
     add_strip(builder, side, (double[2]){low, 0}, (double[2]){low, -COPING_NOSE}, 0.25, coping_color);

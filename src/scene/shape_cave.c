@@ -148,7 +148,9 @@ static bool build(struct world_builder *builder, const struct scene_object *obje
             add_point(builder, &cave, base, out);
         }
     }
-    builder_grid(builder, (unsigned)vertex, AROUND, VAULT + LIP + CLIFF);
+    for (unsigned a = (unsigned)vertex; a < (unsigned)vertex + AROUND - 1; a++) /* the first row is one place */
+        builder_triangle(builder, a, a + 1 + AROUND, a + AROUND);
+    builder_grid(builder, (unsigned)vertex + AROUND, AROUND, VAULT + LIP + CLIFF - 1);
     builder_smooth(builder, vertex, index);
     return builder_ok(builder);
 }

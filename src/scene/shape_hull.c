@@ -1,5 +1,5 @@
 /* A wooden boat, clinker-built: each strake of planks laps over the one below it. Its bottom is painted in the second
- * colour. Inside it has a floor and thwarts. */
+ * colour. Inside it has a floor, below which it may lie in the water, and thwarts. */
 #include "scene/hull_form.h"
 #include "scene/pieces.h"
 #include "scene/shape.h"
@@ -13,7 +13,8 @@
 #define LAP 0.008      /* of the breadth: how far a strake stands out where it laps */
 #define THICKNESS 0.02 /* of the breadth */
 #define TIMBER 0.028   /* of the breadth: radius of keel, stem and edges */
-#define FLOOR 0.16     /* of the height */
+#define FLOOR 0.44     /* of the height */
+#define THWART 0.64    /* of the height */
 #define THWARTS 3
 
 static const double wood_color[3] = {0.42, 0.26, 0.13};
@@ -35,7 +36,7 @@ static void point_off(const double size[3], double along, double up, double off,
     hull_point(size, along, up, point);
     for (int c = 0; c < 3 && length > 0; c++)
         point[c] += off * normal[c] / sqrt(length);
-    point[2] = half * fmax(point[2], 0);
+    point[2] = half * fmax(point[2], 1e-3 * up * size[2]); /* the halves do not cross */
 }
 
 /* Rows of vertices from the transom to the stem, between two heights and two ways off the surface; smooth. */
@@ -49,7 +50,7 @@ static void add_band(struct world_builder *builder, const double size[3], const 
             double share = (double)j / (rows - 1), point[3];
             double along = (double)(turned ? COLUMNS - 1 - i : i) / (COLUMNS - 1);
             double away = off[0] + share * (off[1] - off[0]), high = up[0] + share * (up[1] - up[0]);
-            point_off(size, along, high, away * fmin(1, 12 * (1 - along)), half, point);
+            point_off(size, along, high, away * fmin(1, 0.1 + 12 * fmin(along, 1 - along)), half, point);
             struct world_vertex v = {.place = {(float)(size[0] * along), (float)(0.7 * size[2] * high)}};
             for (int c = 0; c < 3; c++) {
                 v.position[c] = (float)point[c];
@@ -75,14 +76,14 @@ static void add_side(struct world_builder *builder, const struct scene_object *o
     add_band(builder, size, (double[2]){0.02, 1}, (double[2]){inner, inner}, 3 * STRAKES, half, true, wood_color);
 }
 
-/* The flat end at the stern, seen from outside, and `ahead` of that from inside. */
+/* The flat end at the stern, from the keel up, seen from outside, and `ahead` of that from inside. */
 static void add_transom(struct world_builder *builder, const struct scene_object *object, double ahead)
 {
     const int rows = 2 * STRAKES + 1, columns = 9;
     int vertex = builder->vertex_count, index = builder->index_count;
     for (int j = 0; j < rows; j++) {
         for (int i = 0; i < columns; i++) {
-            double up = (double)j / (rows - 1), across = 2.0 * i / (columns - 1) - 1, point[3];
+            double up = 0.02 + 0.98 * j / (rows - 1), across = 2.0 * i / (columns - 1) - 1, point[3];
             hull_point(object->size, 0, up, point);
             const double *color = ahead > 0                     ? wood_color
                                   : j < rows * BOTTOM / STRAKES ? object->second_color
@@ -117,26 +118,27 @@ static void add_timbers(struct world_builder *builder, const struct scene_object
         }
         piece_tube(builder, (const double(*)[3])line, COLUMNS, thick, 10, trim_color);
     }
-    hull_point(object->size, 0, 1, line[0]);
-    for (int c = 0; c < 3; c++)
-        line[1][c] = c == 2 ? -line[0][c] : line[0][c];
-    piece_tube(builder, (const double(*)[3])line, 2, thick, 10, trim_color);
+    for (int i = 0; i < 13; i++) { /* along the top of the transom */
+        hull_point(object->size, 0, 1, line[i]);
+        line[i][2] *= 1 - i / 6.0;
+    }
+    piece_tube(builder, (const double(*)[3])line, 13, thick, 10, trim_color);
 }
 
-/* Boards along the bottom, as wide as the hull is there. */
+/* Boards from side to side, high enough that no water shows above them. */
 static void add_floor(struct world_builder *builder, const struct scene_object *object)
 {
     const double height = FLOOR * object->size[1], inner = THICKNESS * object->size[2];
-    const int columns = 41, rows = 7;
+    const int columns = 61, rows = 9;
     int vertex = builder->vertex_count, index = builder->index_count;
     for (int j = 0; j < rows; j++) {
         for (int i = 0; i < columns; i++) {
-            double along = 0.04 + 0.86 * i / (columns - 1), across = 1 - 2.0 * j / (rows - 1);
-            double half = fmax(hull_half_breadth(object->size, along, height) - inner, 0.001);
-            struct world_vertex v = {
-                .position = {(float)(object->size[0] * (along * 0.86 - 0.455)), (float)height, (float)(half * across)},
-                .color = {(float)wood_color[0], (float)wood_color[1], (float)wood_color[2]},
-                .place = {(float)(object->size[0] * along), (float)(half * across)}};
+            double across = 1 - 2.0 * j / (rows - 1), point[3];
+            hull_point_at(object->size, 0.005 + 0.985 * i / (columns - 1), height, point);
+            double side = fmax(point[2] - 0.5 * inner, 0.002) * across;
+            struct world_vertex v = {.position = {(float)point[0], (float)height, (float)side},
+                                     .color = {(float)wood_color[0], (float)wood_color[1], (float)wood_color[2]},
+                                     .place = {(float)point[0], (float)side}};
             builder_vertex(builder, &v);
         }
     }
@@ -146,13 +148,13 @@ static void add_floor(struct world_builder *builder, const struct scene_object *
 
 static void add_thwarts(struct world_builder *builder, const struct scene_object *object)
 {
-    const double *size = object->size, top = 0.5 * size[1], thick = 0.035 * size[1], wide = 0.05 * size[0];
+    const double *size = object->size, top = THWART * size[1], thick = 0.035 * size[1], wide = 0.05 * size[0];
     for (int t = 0; t < THWARTS; t++) {
-        double along = 0.16 + 0.26 * t, middle[3];
-        double half = fmin(hull_half_breadth(size, along - 0.03, top - thick),
-                           hull_half_breadth(size, along + 0.03, top - thick)) -
-                      0.5 * THICKNESS * size[2];
-        hull_point(size, along, 0.6, middle);
+        double along = 0.16 + 0.26 * t, middle[3], aft[3], fore[3];
+        hull_point_at(size, along, top, middle);
+        hull_point_at(size, along - 0.03, top - thick, aft);
+        hull_point_at(size, along + 0.03, top - thick, fore);
+        double half = fmin(aft[2], fore[2]) - 0.5 * THICKNESS * size[2];
         piece_block(builder, (double[3]){middle[0] - wide / 2, top - thick, -half},
                     (double[3]){middle[0] + wide / 2, top, half}, 0.1, wood_color);
     }
@@ -184,7 +186,8 @@ static bool build(struct world_builder *builder, const struct scene_object *give
 
 const struct scene_shape shape_hull = {
     .name = "hull",
-    .summary = "an open wooden boat, its bow towards +x; size: length, keel to stem, breadth",
+    .summary = "an open wooden boat, its bow towards +x; size: length, keel to stem, breadth; its floor is at 0.44 of "
+               "its height",
     .color = {{0.66, 0.66, 0.62}, {0.3, 0.06, 0.035}},
     .build = build,
 };

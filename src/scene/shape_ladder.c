@@ -12,7 +12,8 @@
 #define TREAD_HEIGHT 0.025
 #define TREADS_MAX 100
 #define ARCH_POINTS 17
-#define POINTS (ARCH_POINTS + 40 + 6)
+#define FOOT_POINTS 6 /* from the arch to the deck */
+#define POINTS (ARCH_POINTS + FOOT_POINTS + 40 + 6)
 
 static double rail_height(const struct scene_object *object)
 {
@@ -40,8 +41,10 @@ static int tube_line(const struct scene_object *object, double x, double line[PO
         line[p][2] = reach * cos(angle);
         line[p][1] = straight + arch * sin(angle);
     }
-    line[p][2] = -reach;
-    line[p++][1] = object->size[1] - rail_height(object);
+    for (int i = 1; i <= FOOT_POINTS; i++, p++) {
+        line[p][2] = -reach;
+        line[p][1] = straight + (object->size[1] - rail_height(object) - straight) * i / FOOT_POINTS;
+    }
     for (int i = 0; i < p; i++)
         line[i][0] = x;
     return p;

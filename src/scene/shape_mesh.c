@@ -38,14 +38,12 @@ static void add_mesh(struct world_builder *builder, const struct scene_object *o
     double scale = scale_of(object, low, high);
     const double base[3] = {(low[0] + high[0]) / 2, low[1], (low[2] + high[2]) / 2};
     for (int v = 0; v < mesh->vertex_count; v++) {
-        struct world_vertex vertex;
+        struct world_vertex vertex = {.sway = 0};
         for (int c = 0; c < 3; c++) {
             vertex.position[c] = (float)(scale * ((double)mesh->positions[v][c] - base[c]));
             vertex.normal[c] = mesh->normals[v][c];
             vertex.color[c] = (float)(object->color[c] * (double)mesh->colors[v][c]);
         }
-        double up = high[1] > low[1] ? ((double)mesh->positions[v][1] - low[1]) / (high[1] - low[1]) : 0;
-        vertex.sway = (float)(object->sway * up * up); /* it bends: nothing at its foot */
         vertex.place[0] = vertex.position[0] + vertex.position[2];
         vertex.place[1] = vertex.position[1];
         builder_vertex(builder, &vertex);

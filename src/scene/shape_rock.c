@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#define EDGE 0.02 /* m, of the triangles wanted */
+#define EDGE 0.013 /* m, of the triangles wanted */
 
 static bool build(struct world_builder *builder, const struct scene_object *object, int seed)
 {

@@ -115,7 +115,7 @@ static struct facet facet_at(const struct stone *stone, const double direction[3
     noise_cells(fine, stone->seed + 23, cells);
     double cracks = exp(-pow((cells[1] - cells[0]) / 0.07, 2));
     facet.distance += style->roughness * (1.1 * (ridges - 0.55) - 0.35 * cracks);
-    facet.distance += 0.12 * style->roughness *
+    facet.distance += 0.3 * style->roughness *
                       noise_fractal((const double[3]){fine[0] * 9, fine[1] * 9, fine[2] * 9}, 3, stone->seed + 29);
     facet.hollow = fmin(fmax(1.2 - 1.8 * ridges + 0.6 * cracks, 0), 1);
     return facet;
@@ -183,6 +183,7 @@ bool stone_build(struct world_builder *builder, const struct scene_object *objec
     int first_index = builder->index_count, first = icosphere_add(builder, style->divisions);
     if (!builder_ok(builder))
         return false;
+#pragma omp parallel for schedule(static)
     for (int v = first; v < builder->vertex_count; v++) {
         struct world_vertex *vertex = builder->vertices + v;
         const double direction[3] = {vertex->position[0], vertex->position[1], vertex->position[2]};

@@ -1,4 +1,4 @@
-/* Scene text: reading, setting one value, writing. */
+/* Scene text: reading, setting one value. */
 #include "base/file.h"
 #include "base/log.h"
 #include "base/resource.h"
@@ -12,6 +12,7 @@
 #define SCENE_TEXT_MAX (1 << 20) /* bytes */
 #define VALUE_SIZE 512           /* bytes of one value as text */
 #define PLACE_SIZE 512           /* bytes of "file:line: section.key" */
+#define HINT_SIZE 64             /* bytes of "did you mean …" */
 #define LINE_SIZE 200            /* bytes of a line: what Debian's build of the parser takes */
 
 #define MALFORMED "neither a [section], nor key = value, nor a comment"
@@ -20,6 +21,7 @@
 struct reading {
     struct dpl_scene *scene;
     const char *name;       /* of the file, for messages */
+    size_t folder;          /* bytes of `name` that are the file's folder; 0: names of files are the shell's */
     const char *next, *end; /* text not read yet */
     int line;               /* of the line read last, from 1 */
     bool failed;
@@ -74,16 +76,32 @@ static struct dpl_section find_section(const struct dpl_scene *scene, const char
     return section;
 }
 
+static const char *section_name(const void *scene, int i)
+{
+    return dpl_scene_section(scene, i).name;
+}
+
+static const char *key_name(const void *params, int i)
+{
+    return ((const struct dpl_param *)params)[i].name;
+}
+
+static const char *builtin_name(const void *scenes, int i)
+{
+    return ((const struct dpl_builtin_scene *)scenes)[i].name;
+}
+
 /* Says that there is no section of that name; `where` opens the message. */
 static bool fail_section(const struct dpl_scene *scene, const char *where, const char *name)
 {
-    char accepted[2 * VALUE_SIZE];
+    char accepted[2 * VALUE_SIZE], hint[HINT_SIZE];
     if (names_object(name))
         return base_fail(scene->log, DPL_REASON_LIMIT, "%s: too many objects: \"%s\" (accepted: at most %d)", where,
                          name, SCENE_OBJECTS_MAX);
     list_sections(scene, accepted, sizeof accepted);
-    return base_fail(scene->log, DPL_REASON_UNKNOWN_SECTION, "%s: no such section: \"%s\" (accepted: %s)", where, name,
-                     accepted);
+    dpl_hint(name, section_name, scene, hint, sizeof hint);
+    return base_fail(scene->log, DPL_REASON_UNKNOWN_SECTION, "%s: no such section: \"%s\" (%saccepted: %s)", where,
+                     name, hint, accepted);
 }
 
 /* A section that need not be there is there from the moment that one of its values is set. */
@@ -101,7 +119,7 @@ static void make_present(struct dpl_scene *scene, const struct dpl_section *sect
 static const struct dpl_param *find_value(const struct dpl_scene *scene, const char *place, const char *section_name,
                                           const char *key, struct dpl_section *section)
 {
-    char accepted[VALUE_SIZE], where[PLACE_SIZE];
+    char accepted[VALUE_SIZE], where[PLACE_SIZE], hint[HINT_SIZE];
     *section = find_section(scene, section_name);
     if (!section->name) {
         snprintf(where, sizeof where, "%.420s%.60s.%.30s", place, section_name, key);
@@ -111,8 +129,9 @@ static const struct dpl_param *find_value(const struct dpl_scene *scene, const c
     const struct dpl_param *param = param_find(section->params, key);
     if (!param) {
         list_keys(section->params, accepted, sizeof accepted);
-        base_fail(scene->log, DPL_REASON_UNKNOWN_KEY, "%s%s.%s: no such key: \"%s\" (accepted: %s)", place,
-                  section_name, key, key, accepted);
+        dpl_hint(key, key_name, section->params, hint, sizeof hint);
+        base_fail(scene->log, DPL_REASON_UNKNOWN_KEY, "%s%s.%s: no such key: \"%s\" (%saccepted: %s)", place,
+                  section_name, key, key, hint, accepted);
     }
     return param;
 }
@@ -235,6 +254,18 @@ static char *next_line(char *line, int size, void *user)
     return reading->failed ? NULL : line;
 }
 
+/* The name of a file stands for one in the folder of the scene's, unless it starts at the root. */
+static const char *in_folder(const struct reading *reading, const char *section_name, const char *key,
+                             const char *value, char *joined, size_t size)
+{
+    struct dpl_section section = find_section(reading->scene, section_name);
+    const struct dpl_param *param = section.name ? param_find(section.params, key) : NULL;
+    if (!param || param->type != DPL_PARAM_TEXT || !*value || *value == '/' || reading->folder == 0)
+        return value;
+    snprintf(joined, size, "%.*s%s", (int)reading->folder, reading->name, value);
+    return joined;
+}
+
 /* Called by the parser with each value. */
 static int take_value(void *user, const char *section, const char *key, const char *value)
 {
@@ -243,17 +274,18 @@ static int take_value(void *user, const char *section, const char *key, const ch
         fail_line(reading, "a value outside of any section (accepted: [section] lines first)");
     if (reading->failed)
         return 1;
-    char place[PLACE_SIZE];
+    char place[PLACE_SIZE], joined[PATH_MAX];
     snprintf(place, sizeof place, "%.400s:%d: ", reading->name, reading->line);
-    reading->failed = !assign(reading->scene, place, section, key, value ? value : "");
+    value = in_folder(reading, section, key, value ? value : "", joined, sizeof joined);
+    reading->failed = !assign(reading->scene, place, section, key, value);
     return 1;
 }
 
-static bool parse(struct dpl_scene *scene, const char *name, const char *text, size_t length)
+static bool parse(struct dpl_scene *scene, const char *name, size_t folder, const char *text, size_t length)
 {
     if (memchr(text, '\0', length))
         return base_fail(scene->log, DPL_REASON_FILE_FORMAT, "%s: is not scene text: it contains zero bytes", name);
-    struct reading reading = {.scene = scene, .name = name, .next = text, .end = text + length};
+    struct reading reading = {.scene = scene, .name = name, .folder = folder, .next = text, .end = text + length};
     int line = ini_parse_stream(next_line, &reading, take_value, &reading);
     if (line != 0 && !reading.failed) {
         reading.line = line;
@@ -262,10 +294,10 @@ static bool parse(struct dpl_scene *scene, const char *name, const char *text, s
     return !reading.failed;
 }
 
-bool dpl_scene_read(struct dpl_scene *scene, const char *name, const char *text, size_t length)
+static bool replace(struct dpl_scene *scene, const char *name, size_t folder, const char *text, size_t length)
 {
     struct dpl_scene *fresh = dpl_scene_create(scene->log);
-    bool ok = fresh && parse(fresh, name, text, length);
+    bool ok = fresh && parse(fresh, name, folder, text, length);
     if (ok) {
         struct dpl_scene old = *scene;
         *scene = *fresh;
@@ -273,6 +305,11 @@ bool dpl_scene_read(struct dpl_scene *scene, const char *name, const char *text,
     }
     dpl_scene_destroy(fresh);
     return ok;
+}
+
+bool dpl_scene_read(struct dpl_scene *scene, const char *name, const char *text, size_t length)
+{
+    return replace(scene, name, 0, text, length);
 }
 
 static const struct dpl_builtin_scene *find_builtin(const char *name)
@@ -288,53 +325,15 @@ bool dpl_scene_load(struct dpl_scene *scene, const char *path_or_name)
     const struct dpl_builtin_scene *builtin = find_builtin(path_or_name);
     if (builtin && !file_exists(path_or_name))
         return dpl_scene_read(scene, builtin->name, builtin->text, strlen(builtin->text));
-    if (!file_exists(path_or_name))
+    if (!file_exists(path_or_name)) {
+        char hint[HINT_SIZE];
+        dpl_hint(path_or_name, builtin_name, dpl_builtin_scenes(), hint, sizeof hint);
         return base_fail(scene->log, DPL_REASON_FILE_READ,
-                         "%s: neither a file nor a built-in scene (see `dapple list scenes`)", path_or_name);
+                         "%s: neither a file nor a built-in scene (%ssee `dapple list scenes`)", path_or_name, hint);
+    }
     size_t length;
     char *text = file_read(path_or_name, SCENE_TEXT_MAX, &length, scene->log);
-    bool ok = text && dpl_scene_read(scene, path_or_name, text, length);
+    bool ok = text && replace(scene, path_or_name, file_folder(path_or_name), text, length);
     free(text);
     return ok;
-}
-
-static bool is_default(const struct dpl_section *section)
-{
-    char now[VALUE_SIZE], initial[VALUE_SIZE];
-    union {
-        double align;
-        char bytes[4096];
-    } defaults;
-    param_defaults(section->params, &defaults);
-    for (const struct dpl_param *param = section->params; param->name; param++) {
-        dpl_param_format(param, section->values, now, sizeof now);
-        dpl_param_format(param, &defaults, initial, sizeof initial);
-        if (strcmp(now, initial))
-            return false;
-    }
-    return true;
-}
-
-static void write_section(FILE *stream, const struct dpl_section *section)
-{
-    fprintf(stream, "[%s]\n", section->name);
-    for (const struct dpl_param *param = section->params; param->name; param++) {
-        char value[VALUE_SIZE];
-        dpl_param_format(param, section->values, value, sizeof value);
-        fprintf(stream, "%s = %s\n", param->name, value);
-    }
-    fputc('\n', stream);
-}
-
-bool dpl_scene_save(const struct dpl_scene *scene, const char *path)
-{
-    struct file_writer writer;
-    if (!file_begin(&writer, path, scene->log))
-        return false;
-    for (int i = 0; dpl_scene_section(scene, i).name; i++) {
-        struct dpl_section section = dpl_scene_section(scene, i);
-        if (section.active || scene_numbered_find(scene, section.name).name || !is_default(&section))
-            write_section(writer.stream, &section);
-    }
-    return file_end(&writer, true, scene->log);
 }

@@ -7,6 +7,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static uint64_t fingerprint_of(const struct dpl_scene *scene)
 {
@@ -18,8 +19,10 @@ static uint64_t fingerprint_of(const struct dpl_scene *scene)
     value = hash_number(value, scene->floor.relief_length);
     value = hash_number(value, scene->floor.relief_turn);
     value = hash_bytes(value, scene->floor.relief_map, sizeof scene->floor.relief_map);
-    for (int o = 0; o < scene->object_count; o++)
+    for (int o = 0; o < scene->object_count; o++) {
+        value = hash_bytes(value, scene->object_names[o], strlen(scene->object_names[o]) + 1);
         value = hash_params(value, scene_object_params, scene->objects + o);
+    }
     return value ? value : 1; /* 0: no world yet */
 }
 

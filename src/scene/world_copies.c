@@ -1,5 +1,6 @@
 #include "scene/world_copies.h"
 
+#include "base/hash.h"
 #include "base/random.h"
 #include "scene/shape.h"
 
@@ -15,9 +16,9 @@ struct copy {
 
 /* The first copy stands as the object's values say. The others turn by the golden angle around it, each as far out as
  * gives all the same share of the disc (Vogel 1979), and a little off, so that no pattern shows. */
-static struct copy copy_of(const struct scene_object *object, int scene_seed, int index)
+static struct copy copy_of(const struct scene_object *object, uint64_t object_seed, int index)
 {
-    uint64_t seed = random_mix((uint64_t)object->seed << 32 | (uint64_t)scene_seed) + (uint64_t)index * 4;
+    uint64_t seed = object_seed + (uint64_t)index * 4;
     struct copy copy = {{object->position[0], object->position[2]}, object->turn, 1, (int)(random_mix(seed) >> 33)};
     if (index == 0)
         return copy;
@@ -62,9 +63,12 @@ bool copies_build(struct world_builder *builder, const struct world *world, cons
     const struct scene_shape *shape = scene_shapes[object.shape];
     fill_color(object.color, shape->color[0]);
     fill_color(object.second_color, shape->color[1]);
+    /* The name counts, so that two rocks are not the same one. */
+    uint64_t seed = hash_bytes(hash_start, scene->object_names[index], strlen(scene->object_names[index]));
+    seed = random_mix(hash_number(hash_number(seed, object.seed), scene->settings.seed));
     builder->name = scene->object_names[index];
     for (int k = 0; k < object.count; k++) {
-        const struct copy copy = copy_of(&object, scene->settings.seed, k);
+        const struct copy copy = copy_of(&object, seed, k);
         if (!build_copy(builder, world, scene, &object, &copy))
             return false;
     }
