@@ -123,7 +123,7 @@ static void shafts_of_still_water(void **state)
     struct picture picture;
     struct surface *surface = at_rest(place);
     struct optics_water *optics = &place->world.water.optics;
-    const struct camera_settings once = {.bounces = 0, .photons = 60, .solid_radius = 0.03, .water_radius = 0.1};
+    const struct camera_settings once = {.bounces = 0, .photons = 40, .solid_radius = 0.03, .water_radius = 0.4};
     const struct camera_sight view = look((const double[3]){0.2, -1.5, 0.3}, 0, 1, 0.01);
     shine(place, 0, 5);
     place->world.depth = 50;
@@ -218,7 +218,7 @@ static void caustics_are_those_that_were_counted(void **state)
     struct camera_photons photons;
     const struct camera_sight view = look((const double[3]){0, 4, 0}, 1, -1, 0.4);
     assert_true(camera_scene_make(&scene, &place->world, NULL));
-    assert_true(camera_photons_begin(&photons, &scene, &sight, 1500000, NULL));
+    assert_true(camera_photons_begin(&photons, &scene, &view, 1500000, NULL));
     camera_photons_send(&photons, 0);
     const double sine = sin(M_PI / 3), inside = sqrt(1 - pow(cos(M_PI / 3) / 1.333, 2)), up[3] = {0, 1, 0};
     double flat = 5 * sine * (1 - optics_fresnel_reflectance(sine, 1.333)) * exp(-0.07 / inside);
