@@ -32,7 +32,7 @@ static void draw(struct place *place, const struct camera_sight *view, const str
     assert_true(camera_begin(&camera, &place->world, view, settings, NULL));
     for (int i = 0; i < passes; i++)
         camera_pass(&camera);
-    camera_read(&camera, picture->pixels);
+    camera_read(&camera, 0, 0, SIDE, SIDE, picture->pixels);
     camera_finish(&camera);
 }
 
