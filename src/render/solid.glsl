@@ -22,8 +22,12 @@ void main()
 }
 #else
 #include "render/receiver.glsl"
+#ifdef WET /* what is in the water is drawn; otherwise, what is not */
+const bool layer_wet = true;
+#else
+const bool layer_wet = false;
+#endif
 #include "scene/pattern.glsl"
-uniform float layer_wet; /* 1: what is in the water is drawn, -1: what is not */
 uniform int two_sided;
 uniform int pattern; /* of the part: scene/world.h */
 uniform float pattern_size;
@@ -34,13 +38,12 @@ out vec4 color;
 
 void main()
 {
-    bool wet = waves_wet(position);
-    if (wet != (layer_wet > 0.0))
+    if (waves_wet(position) != layer_wet)
         discard;
     vec3 facing = normalize(normal);
     if (two_sided != 0 && dot(facing, eye - position) < 0.0)
         facing = -facing;
     vec3 reflectance = pattern_color(pattern, pattern_size, pattern_joint, base, place, fwidth(place));
-    color = vec4(receiver_radiance(position, facing, reflectance, ambient, wet), 1.0);
+    color = vec4(receiver_radiance(position, facing, reflectance, ambient), 1.0);
 }
 #endif
