@@ -11,6 +11,17 @@ uniform sampler2DArray reflected_texels;
 uniform vec3 reflected_window, reflected_step; /* as in light/map.glsl */
 uniform float reflected_height;                /* m, of the last layer; 0: there is no such light */
 
+/* A layer shows what is in the water, or what is not; both a little beyond the surface, whose mesh is coarse far off. */
+bool layer_leaves_out(vec3 point)
+{
+    float slack = 0.01 + 0.004 * distance(point, eye);
+#ifdef WET
+    return !waves_wet(point, slack);
+#else
+    return waves_wet(point, -slack);
+#endif
+}
+
 #ifdef WET
 /* The caustics at a point in the water, as irradiance in units of flat water's. ON_FLOOR: by the map of the floor alone, along
  * the light's way. */

@@ -49,11 +49,12 @@ vec4 layer_color(sampler2D colors, sampler2D depths, int layer, vec3 ray, out fl
         float depth = texture(depths, place).r;
         vec3 sight = view_ray(place), shown = view_point(sight, depth, layer);
         way = depth < 1.0 ? clamp((shown.y - position.y) / ray.y, 0.0, planes.y) : planes.y;
-        if (i == look_ups)
+        if (i == look_ups + (layer == LAYER_MIRROR ? 1 : 0))
             return texture(colors, place);
         float before = view_plane(sight), share = clamp(before / (before + distance(shown, position)), 0.0, 1.0);
         vec2 next = view_place(view_apparent(position + ray * way, layer, share));
-        place = clamp(next.x < 0.0 ? place : next, vec2(0.0), vec2(1.0));
+        /* what leaves the picture comes in again, mirrored: that has no edge */
+        place = next == vec2(-1.0) ? place : clamp(1.0 - abs(1.0 - abs(next)), 0.0, 1.0);
     }
 }
 

@@ -20,11 +20,6 @@ void main()
 }
 #else
 #include "render/receiver.glsl"
-#ifdef WET /* what is in the water is drawn; otherwise, what is not */
-const bool layer_wet = true;
-#else
-const bool layer_wet = false;
-#endif
 #include "scene/pattern.glsl"
 uniform sampler2D sand;
 uniform sampler2D floor_ambient; /* irradiance from all around */
@@ -37,7 +32,7 @@ out vec4 color;
 
 void main()
 {
-    if (!waves_cover(position.xz) || waves_wet(position) != layer_wet)
+    if (!waves_cover(position.xz) || layer_leaves_out(position))
         discard;
     vec2 place = position.xz / relief_size + 0.5;
     vec2 slopes = texture(relief_texels, place).yz;

@@ -22,11 +22,6 @@ void main()
 }
 #else
 #include "render/receiver.glsl"
-#ifdef WET /* what is in the water is drawn; otherwise, what is not */
-const bool layer_wet = true;
-#else
-const bool layer_wet = false;
-#endif
 #include "scene/pattern.glsl"
 uniform int two_sided;
 uniform int pattern; /* of the part: scene/world.h */
@@ -38,7 +33,7 @@ out vec4 color;
 
 void main()
 {
-    if (waves_wet(position) != layer_wet)
+    if (layer_leaves_out(position))
         discard;
     vec3 facing = normalize(normal);
     if (two_sided != 0 && dot(facing, eye - position) < 0.0)
