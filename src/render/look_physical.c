@@ -26,22 +26,6 @@ static const struct quality qualities[] = {
     {4096, 24, 64, 1, 1, 1024, 3},
 };
 
-/* The sky as a texture, with smaller levels for what rough water mirrors of it. */
-static bool update_sky(struct physical *physical, const struct frame *frame)
-{
-    struct dpl_gl *gl = frame->gl;
-    if (!optics_sky_make(&physical->sky, &frame->scene->sky, &frame->scene->sun, gl->log))
-        return false;
-    if (physical->sky_texels.name && physical->sky_fingerprint == physical->sky.fingerprint)
-        return true;
-    texture_resize(gl, &physical->sky_texels, gl->info.es ? GL_RGB16F : GL_RGB32F, SKY_COLUMNS, SKY_ROWS,
-                   TEXTURE_REPEAT, TEXTURE_MIPMAP);
-    texture_upload(gl, &physical->sky_texels, physical->sky.texels);
-    texture_make_mipmaps(gl, &physical->sky_texels);
-    physical->sky_fingerprint = physical->sky.fingerprint;
-    return true;
-}
-
 static bool update_layers(struct physical *physical, const struct frame *frame)
 {
     for (int i = 0; i < LAYERS; i++) {
@@ -53,6 +37,16 @@ static bool update_layers(struct physical *physical, const struct frame *frame)
     return true;
 }
 
+static bool prepare_seas(struct physical *physical, struct dpl_gl *gl)
+{
+    static const char *const defines[SEA_KINDS] = {"#define ABOVE\n", "#define ABOVE\n#define MIRRORED\n", "",
+                                                   "#define PANE\n"};
+    for (int i = 0; i < SEA_KINDS; i++)
+        if (!program_ready(gl, physical->seas + i, "render/sea.glsl", defines[i]))
+            return false;
+    return true;
+}
+
 static bool prepare(void *state, const struct frame *frame)
 {
     struct physical *physical = state;
@@ -60,15 +54,17 @@ static bool prepare(void *state, const struct frame *frame)
     if (!gl->info.float_render)
         return base_fail(gl->log, DPL_REASON_UNSUPPORTED, "look physical: this device cannot draw to floats");
     physical->quality = qualities[frame->scene->render.quality];
-    if (!update_sky(physical, frame) || !world_build(&physical->world, frame->scene, gl->log))
+    if (!optics_sky_make(&physical->sky, &frame->scene->sky, &frame->scene->sun, gl->log) ||
+        !sky_texture_update(&physical->sky_texture, gl, &physical->sky) ||
+        !world_build(&physical->world, frame->scene, gl->log))
         return false;
     physical->light = physical_light(&physical->sky, frame);
     return update_layers(physical, frame) && rings_ready(&physical->rings, gl, RINGS, RING_VERTICES) &&
            shadow_prepare(&physical->shadow, frame, physical) && solids_prepare(&physical->solids, gl) &&
            seabed_prepare(&physical->seabed, frame, &physical->world) && ambient_update(physical, frame) &&
            shafts_prepare(&physical->shafts, frame, &physical->quality) &&
-           program_ready(gl, &physical->backdrop, "render/backdrop.glsl", "") &&
-           program_ready(gl, &physical->sea, "render/sea.glsl", "") && waves_update(&physical->waves, frame);
+           program_ready(gl, &physical->backdrop, "render/backdrop.glsl", "") && prepare_seas(physical, gl) &&
+           waves_update(&physical->waves, frame);
 }
 
 /* What stands on one side of the surface, as a layer shows it. */
@@ -83,29 +79,33 @@ static void draw_layer(const struct physical *physical, const struct frame *fram
     gl->Disable(GL_DEPTH_TEST);
 }
 
+/* Where the water's surface is not. */
 static void draw_backdrop(const struct physical *physical, const struct frame *frame)
 {
-    program_use(frame->gl, &physical->backdrop);
+    struct dpl_gl *gl = frame->gl;
+    program_use(gl, &physical->backdrop);
     physical_bind(physical, frame, &physical->backdrop);
     physical_bind_layers(physical, frame, &physical->backdrop);
-    gpu_draw_screen(frame->gl);
+    gl->Enable(GL_DEPTH_TEST);
+    gpu_draw_screen(gl);
+    gl->Disable(GL_DEPTH_TEST);
 }
 
-/* The water's surface. `blind`: the layers do not show what is seen through it. */
-static void draw_sea(const struct physical *physical, const struct frame *frame, bool blind)
+static enum sea_kind sea_kind(const struct physical *physical)
+{
+    if (physical->sight.side < 0)
+        return physical->sight.pane ? SEA_PANE : SEA_BELOW;
+    return physical->world.high[1] > 0 ? SEA_MIRRORING : SEA_ABOVE;
+}
+
+static void draw_sea(const struct physical *physical, const struct frame *frame)
 {
     struct dpl_gl *gl = frame->gl;
-    const struct gpu_program *program = &physical->sea;
+    const struct gpu_program *program = physical->seas + sea_kind(physical);
     program_use(gl, program);
     physical_bind(physical, frame, program);
     physical_bind_layers(physical, frame, program);
-    program_int(gl, program, "blind", blind);
     program_int(gl, program, "look_ups", physical->quality.look_ups);
-    program_int(gl, program, "mirrored_there", physical->sight.side < 0 || physical->world.high[1] > 0);
-    if (physical->sight.pane) { /* it is drawn into this layer */
-        texture_bind(gl, &physical->layers[LAYER_DIRECT].color, UNIT_THROUGH_COLOR);
-        texture_bind(gl, &physical->layers[LAYER_DIRECT].depth, UNIT_THROUGH_DEPTH);
-    }
     gl->Enable(GL_DEPTH_TEST);
     rings_draw(&physical->rings, frame, program, frame->camera->position[1], HORIZON, waves_extent(frame));
     gl->Disable(GL_DEPTH_TEST);
@@ -122,7 +122,7 @@ static void draw_layers(const struct physical *physical, const struct frame *fra
     timer_pass(frame->timer, "through");
     draw_layer(physical, frame, LAYER_THROUGH, !in_water || pane);
     if (pane)
-        draw_sea(physical, frame, false);
+        draw_sea(physical, frame);
 }
 
 static void draw_sight(struct physical *physical, const struct frame *frame)
@@ -138,11 +138,11 @@ static void draw_sight(struct physical *physical, const struct frame *frame)
     gl->BindFramebuffer(GL_FRAMEBUFFER, frame->target->framebuffer);
     gl->Viewport(0, 0, frame->view.columns, frame->view.rows);
     gl->Enable(GL_SCISSOR_TEST);
-    timer_pass(frame->timer, "backdrop");
-    draw_backdrop(physical, frame);
     timer_pass(frame->timer, "sea");
     if (!physical->sight.pane)
-        draw_sea(physical, frame, false);
+        draw_sea(physical, frame);
+    timer_pass(frame->timer, "backdrop");
+    draw_backdrop(physical, frame);
     gl->Disable(GL_SCISSOR_TEST);
 }
 
@@ -166,7 +166,7 @@ static void finish(void *state, struct dpl_gl *gl)
     struct physical *physical = state;
     optics_sky_finish(&physical->sky);
     world_finish(&physical->world);
-    texture_finish(gl, &physical->sky_texels);
+    texture_finish(gl, &physical->sky_texture.texels);
     waves_finish(&physical->waves, gl);
     rings_finish(&physical->rings, gl);
     shadow_finish(&physical->shadow, gl);
@@ -176,7 +176,8 @@ static void finish(void *state, struct dpl_gl *gl)
     for (int i = 0; i < LAYERS; i++)
         layer_finish(gl, physical->layers + i);
     program_finish(gl, &physical->backdrop);
-    program_finish(gl, &physical->sea);
+    for (int i = 0; i < SEA_KINDS; i++)
+        program_finish(gl, physical->seas + i);
 }
 
 const struct scene_look look_physical = {
@@ -188,6 +189,7 @@ const struct scene_look look_physical = {
     .state_size = sizeof(struct physical),
     .sand = true,
     .linear = true,
+    .margin = 16,
     .prepare = prepare,
     .draw = draw,
     .finish = finish,
