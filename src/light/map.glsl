@@ -26,6 +26,8 @@ vec3 light_at_height(vec2 place, float height, vec2 slant)
     float count = float(textureSize(light_texels, 0).z);
     float layer = clamp(height * count, 0.0, count - 1.0), lower = floor(layer), upper = min(lower + 1.0, count - 1.0);
     vec3 below = light_in_layer(place + slant * (height - lower / count), lower);
+    if (layer - lower < 0.02)
+        return below;
     vec3 above = light_in_layer(place + slant * (height - upper / count), upper);
     return mix(below, above, layer - lower);
 }

@@ -40,10 +40,9 @@ static bool bake_solids(struct physical *physical, const struct frame *frame, co
     float *irradiance = base_allocate(log, (size_t)world->vertex_count * 3 + 1, sizeof *irradiance, "ambient light");
     bool ok = irradiance && probes_place(&probes, world, log) &&
               trace_probes(&probes, traced, physical->quality.ambient_rays, log);
-    if (ok) {
+    if (ok)
         probes_spread(&probes, world, irradiance);
-        solids_upload(&physical->solids, frame->gl, world, irradiance);
-    }
+    ok = ok && solids_upload(&physical->solids, frame->gl, world, irradiance);
     probes_finish(&probes);
     free(irradiance);
     return ok;

@@ -1,4 +1,5 @@
 /* Behind the water's surface: what is seen straight or through a pane, and the sky or the open water behind that. */
+#define SCREEN_DEPTH 0.999999 /* behind all that is drawn, where depth is tested */
 #include "gpu/screen.glsl"
 
 #ifdef FRAGMENT

@@ -26,22 +26,6 @@ static const struct quality qualities[] = {
     {4096, 24, 64, 1, 1, 1024, 3},
 };
 
-/* The sky as a texture, with smaller levels for what rough water mirrors of it. */
-static bool update_sky(struct physical *physical, const struct frame *frame)
-{
-    struct dpl_gl *gl = frame->gl;
-    if (!optics_sky_make(&physical->sky, &frame->scene->sky, &frame->scene->sun, gl->log))
-        return false;
-    if (physical->sky_texels.name && physical->sky_fingerprint == physical->sky.fingerprint)
-        return true;
-    texture_resize(gl, &physical->sky_texels, gl->info.es ? GL_RGB16F : GL_RGB32F, SKY_COLUMNS, SKY_ROWS,
-                   TEXTURE_REPEAT, TEXTURE_MIPMAP);
-    texture_upload(gl, &physical->sky_texels, physical->sky.texels);
-    texture_make_mipmaps(gl, &physical->sky_texels);
-    physical->sky_fingerprint = physical->sky.fingerprint;
-    return true;
-}
-
 static bool update_layers(struct physical *physical, const struct frame *frame)
 {
     for (int i = 0; i < LAYERS; i++) {
@@ -60,7 +44,9 @@ static bool prepare(void *state, const struct frame *frame)
     if (!gl->info.float_render)
         return base_fail(gl->log, DPL_REASON_UNSUPPORTED, "look physical: this device cannot draw to floats");
     physical->quality = qualities[frame->scene->render.quality];
-    if (!update_sky(physical, frame) || !world_build(&physical->world, frame->scene, gl->log))
+    if (!optics_sky_make(&physical->sky, &frame->scene->sky, &frame->scene->sun, gl->log) ||
+        !sky_texture_update(&physical->sky_texture, gl, &physical->sky) ||
+        !world_build(&physical->world, frame->scene, gl->log))
         return false;
     physical->light = physical_light(&physical->sky, frame);
     return update_layers(physical, frame) && rings_ready(&physical->rings, gl, RINGS, RING_VERTICES) &&
@@ -83,12 +69,16 @@ static void draw_layer(const struct physical *physical, const struct frame *fram
     gl->Disable(GL_DEPTH_TEST);
 }
 
+/* Where the water's surface is not. */
 static void draw_backdrop(const struct physical *physical, const struct frame *frame)
 {
-    program_use(frame->gl, &physical->backdrop);
+    struct dpl_gl *gl = frame->gl;
+    program_use(gl, &physical->backdrop);
     physical_bind(physical, frame, &physical->backdrop);
     physical_bind_layers(physical, frame, &physical->backdrop);
-    gpu_draw_screen(frame->gl);
+    gl->Enable(GL_DEPTH_TEST);
+    gpu_draw_screen(gl);
+    gl->Disable(GL_DEPTH_TEST);
 }
 
 /* The water's surface. `blind`: the layers do not show what is seen through it. */
@@ -138,11 +128,11 @@ static void draw_sight(struct physical *physical, const struct frame *frame)
     gl->BindFramebuffer(GL_FRAMEBUFFER, frame->target->framebuffer);
     gl->Viewport(0, 0, frame->view.columns, frame->view.rows);
     gl->Enable(GL_SCISSOR_TEST);
-    timer_pass(frame->timer, "backdrop");
-    draw_backdrop(physical, frame);
     timer_pass(frame->timer, "sea");
     if (!physical->sight.pane)
         draw_sea(physical, frame, false);
+    timer_pass(frame->timer, "backdrop");
+    draw_backdrop(physical, frame);
     gl->Disable(GL_SCISSOR_TEST);
 }
 
@@ -166,7 +156,7 @@ static void finish(void *state, struct dpl_gl *gl)
     struct physical *physical = state;
     optics_sky_finish(&physical->sky);
     world_finish(&physical->world);
-    texture_finish(gl, &physical->sky_texels);
+    texture_finish(gl, &physical->sky_texture.texels);
     waves_finish(&physical->waves, gl);
     rings_finish(&physical->rings, gl);
     shadow_finish(&physical->shadow, gl);
@@ -188,6 +178,7 @@ const struct scene_look look_physical = {
     .state_size = sizeof(struct physical),
     .sand = true,
     .linear = true,
+    .margin = 16,
     .prepare = prepare,
     .draw = draw,
     .finish = finish,

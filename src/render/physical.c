@@ -61,6 +61,7 @@ static void bind_sight(const struct physical *physical, const struct frame *fram
     program_vec3(gl, program, "right", frame->rays.right);
     program_vec3(gl, program, "up", frame->rays.up);
     program_vec2(gl, program, "planes", camera->near_plane, camera->far_plane);
+    program_vec2(gl, program, "corner", frame->view.left, frame->view.bottom);
     program_vec2(gl, program, "picture", frame->view.columns, frame->view.rows);
     program_float(gl, program, "ior", frame->scene->medium.ior);
     program_float(gl, program, "side", sight->side);
@@ -86,7 +87,8 @@ static void bind_light(const struct physical *physical, const struct frame *fram
     program_vec3(gl, program, "diffuse_extinction", light->diffuse_extinction);
     program_float(gl, program, "asymmetry", light->asymmetry);
     program_vec3(gl, program, "floor_radiance", light->floor_radiance);
-    texture_bind(gl, &physical->sky_texels, UNIT_SKY);
+    program_vec3(gl, program, "ground_radiance", physical->sky_texture.ground);
+    texture_bind(gl, &physical->sky_texture.texels, UNIT_SKY);
     program_int(gl, program, "sky_texels", UNIT_SKY);
 }
 

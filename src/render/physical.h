@@ -64,6 +64,12 @@ struct quality {
     int ambient_rays, look_ups;
 };
 
+struct sky_texture {
+    struct gpu_texture texels;
+    double ground[3];     /* radiance below the horizon */
+    uint64_t fingerprint; /* of the sky that is in it */
+};
+
 struct shadow {
     struct gpu_program cast;
     struct gpu_layer map;
@@ -74,6 +80,7 @@ struct solids {
     struct gpu_program program;
     GLuint array, vertices, ambient, indices;
     uint64_t fingerprint; /* of the world that is in the buffers */
+    float (*heights)[2];  /* m, of each part: its lowest and its highest vertex */
 };
 
 struct seabed {
@@ -103,8 +110,7 @@ int sight_find(const struct frame *frame, struct sight sights[2]);
 /* The look's state. All zero at first. */
 struct physical {
     struct optics_sky sky;
-    uint64_t sky_fingerprint; /* of what is in the texture */
-    struct gpu_texture sky_texels;
+    struct sky_texture sky_texture;
     struct world world;
     struct ambient_key {
         uint64_t world, sky; /* fingerprints */
@@ -139,13 +145,15 @@ void physical_bind_layers(const struct physical *physical, const struct frame *f
 /* The light of the scene, from its sky. */
 struct physical_light physical_light(const struct optics_sky *sky, const struct frame *frame);
 
+bool sky_texture_update(struct sky_texture *texture, struct dpl_gl *gl, const struct optics_sky *sky);
+
 bool shadow_prepare(struct shadow *shadow, const struct frame *frame, const struct physical *physical);
 void shadow_draw(struct shadow *shadow, const struct frame *frame, const struct physical *physical);
 void shadow_finish(struct shadow *shadow, struct dpl_gl *gl);
 
 /* Solids: `ambient` is the irradiance from all around at each vertex. */
 bool solids_prepare(struct solids *solids, struct dpl_gl *gl);
-void solids_upload(struct solids *solids, struct dpl_gl *gl, const struct world *world, const float *ambient);
+bool solids_upload(struct solids *solids, struct dpl_gl *gl, const struct world *world, const float *ambient);
 /* Draws what is in the water (wet), or what is not, into a layer. */
 void solids_draw(const struct physical *physical, const struct frame *frame, enum physical_layer layer, bool wet);
 /* All parts that cast shadows, with the program in use. */

@@ -39,13 +39,6 @@ vec3 receiver_reflected(vec3 point)
     return caustics != 0 ? mix(below, above, layer - lower) : vec3(1.0);
 }
 
-/* Irradiance from the sun through the water on a surface in it. */
-vec3 receiver_below(vec3 point, vec3 normal)
-{
-    vec3 light = receiver_caustics(point);
-    return sun_below * volume_sun(max(-point.y, 0.0)) * light * max(dot(normal, -sun_way), 0.0);
-}
-
 /* Irradiance from the sun on a surface in the air, straight and thrown back by the water. */
 vec3 receiver_above(vec3 point, vec3 normal, float lit)
 {
@@ -62,11 +55,11 @@ vec3 receiver_above(vec3 point, vec3 normal, float lit)
  * out of the sun's beam. */
 vec3 receiver_radiance(vec3 point, vec3 normal, vec3 reflectance, vec3 ambient, bool wet)
 {
-    vec3 below = receiver_below(point, normal);
     float lit = shadow_light(point, normal, to_sun);
-    if (wet) {
-        vec3 scattered = volume_diffuse(max(-point.y, 0.0)) - diffuse_below * exp(-diffuse_extinction * max(-point.y, 0.0));
-        return reflectance / SKY_PI * (below * lit + ambient + scattered * (0.5 + 0.5 * normal.y));
-    }
-    return reflectance / SKY_PI * (receiver_above(point, normal, lit) + ambient);
+    if (!wet)
+        return reflectance / SKY_PI * (receiver_above(point, normal, lit) + ambient);
+    float depth = max(-point.y, 0.0), facing = max(dot(normal, -sun_way), 0.0) * lit;
+    vec3 straight = volume_sun(depth), scattered = volume_scattered(depth, straight);
+    vec3 sun = sun_below * straight * facing * receiver_caustics(point);
+    return reflectance / SKY_PI * (sun + ambient + scattered * (0.5 + 0.5 * normal.y));
 }

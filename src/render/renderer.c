@@ -242,11 +242,12 @@ static bool draw_linear(struct dpl_renderer *renderer, struct frame *frame)
         if (!draw_picture(renderer, frame))
             return false;
         timer_pass(&renderer->timer, "samples");
-        tone_add(gl, tone, i);
+        if (samples > 1)
+            tone_add(gl, tone, i);
     }
     timer_pass(&renderer->timer, "tone");
     target_begin(gl, &renderer->target, black);
-    tone_show(gl, tone, frame->camera, frame->scene->render.tone);
+    tone_show(gl, tone, samples, frame->camera, frame->scene->render.tone);
     return true;
 }
 
@@ -269,7 +270,7 @@ static bool draw_view(struct dpl_renderer *renderer, struct frame *frame, const 
     frame->target = linear ? &renderer->tone.radiance : &renderer->target;
     move_view(frame, (const double[2]){0, 0});
     return target_resize(renderer->gl, &renderer->target, GL_RGBA8, columns, rows, linear ? 1 : render->samples) &&
-           (!linear || tone_ready(renderer->gl, &renderer->tone, columns, rows)) && prepare_look(renderer, frame) &&
+           (!linear || tone_ready(renderer->gl, &renderer->tone, columns, rows, render->samples)) && prepare_look(renderer, frame) &&
            (linear ? draw_linear : draw_encoded)(renderer, frame);
 }
 
@@ -340,7 +341,7 @@ struct dpl_image *dpl_renderer_radiance(struct dpl_renderer *renderer, const str
                                         int width, int height)
 {
     bool linear = scene_looks[scene->render.look]->linear;
-    struct gpu_texture *texture = linear ? &renderer->tone.mean : &renderer->target.color;
+    struct gpu_texture *texture = linear ? tone_radiance(&renderer->tone, scene->render.samples) : &renderer->target.color;
     return make_picture(renderer, scene, time, width, height, texture);
 }
 

@@ -46,27 +46,22 @@ vec3 slope_here()
 vec4 layer_color(sampler2D colors, sampler2D depths, int layer, vec3 ray, out float way)
 {
     vec2 place = gl_FragCoord.xy / picture;
-    float depth = texture(depths, place).r;
-    for (int i = 0; i < look_ups; i++) {
-        vec3 shown = view_point(place, depth, layer), apparent;
+    for (int i = 0;; i++) {
+        float depth = texture(depths, place).r;
+        vec3 sight = view_ray(place), shown = view_point(sight, depth, layer);
         way = depth < 1.0 ? clamp((shown.y - position.y) / ray.y, 0.0, planes.y) : planes.y;
-        float before = view_plane(view_ray(place)), share = before / max(before + distance(shown, position), 1e-3);
-        vec2 next = view_place(view_apparent(position + ray * way, layer, clamp(share, 0.0, 1.0)));
+        if (i == look_ups)
+            return texture(colors, place);
+        float before = view_plane(sight), share = clamp(before / (before + distance(shown, position)), 0.0, 1.0);
+        vec2 next = view_place(view_apparent(position + ray * way, layer, share));
         place = clamp(next.x < 0.0 ? place : next, vec2(0.0), vec2(1.0));
-        depth = texture(depths, place).r;
     }
-    way = depth < 1.0 ? clamp((view_point(place, depth, layer).y - position.y) / ray.y, 0.0, planes.y) : planes.y;
-    return texture(colors, place);
 }
 
-/* The share of light thrown back by a rough surface: Fresnel's, lowered where waves hide each other (Bruneton et al. 2010,
- * eq. 24, as a ratio). */
+/* The share of light thrown back by a rough surface: Fresnel's, at the mean cosine of the slopes that are seen. */
 float reflectance(float cosine, float index, float roughness)
 {
-    float smooth_part = pow(1.0 - cosine, 5.0);
-    float rough = pow(1.0 - cosine, 5.0 * exp(-2.69 * roughness)) / (1.0 + 22.7 * pow(roughness, 1.5));
-    float fresnel = optics_fresnel_reflectance(cosine, index);
-    return clamp(fresnel * mix(1.0, rough / max(smooth_part, 1e-4), smooth_part), 0.0, 1.0);
+    return optics_fresnel_reflectance(min(sqrt(cosine * cosine + roughness * roughness), 1.0), index);
 }
 
 /* Radiance of the sun's light that a rough surface throws back (Ross, Dion & Potvin 2005): the share of slopes that face it. */
@@ -90,7 +85,7 @@ vec3 open_water(vec3 ray)
         to_edge = waves_extent / max(length(ray.xz), 1e-3);
     vec3 behind = pane != 0 && to_edge < to_floor ? ior * ior * sky_radiance(ray, 0.0) : floor_radiance;
     float way = min(to_floor, to_edge);
-    return behind * exp(-extinction * way) + volume_glow(position, ray, way);
+    return behind * exp(-extinction * way) + volume_glow_surface(ray, way);
 }
 
 vec3 from_above(vec3 to_eye, vec3 normal, vec3 slope)
@@ -102,7 +97,7 @@ vec3 from_above(vec3 to_eye, vec3 normal, vec3 slope)
     vec4 mirrored = blind != 0 || mirrored_there == 0 ? vec4(0.0) : layer_color(mirror_color, mirror_depth, LAYER_MIRROR, back, way);
     vec3 thrown = mirrored.rgb + (1.0 - mirrored.a) * sky_radiance(back, 2.0 * roughness);
     vec4 below = layer_color(through_color, through_depth, LAYER_THROUGH, into, way);
-    vec3 let = below.a > 0.0 && blind == 0 ? below.rgb * exp(-extinction * way) + volume_glow(position, into, way) : open_water(into);
+    vec3 let = below.a > 0.0 && blind == 0 ? below.rgb * exp(-extinction * way) + volume_glow_surface(into, way) : open_water(into);
     vec3 sparkle = glint(to_eye, slope.xy, slope.z);
     if (max(max(sparkle.r, sparkle.g), sparkle.b) > 1e-4)
         sparkle *= shadow_light(position, vec3(0.0), to_sun);
@@ -117,7 +112,7 @@ vec3 from_below(vec3 to_eye, vec3 normal, vec3 slope)
     float share = leaves ? optics_fresnel_reflectance(max(dot(out_of, normal), 0.0), ior) : 1.0;
     back.y = -abs(back.y);
     vec4 mirrored = layer_color(mirror_color, mirror_depth, LAYER_MIRROR, back, way);
-    vec3 thrown = mirrored.a > 0.0 ? mirrored.rgb * exp(-extinction * way) + volume_glow(position, back, way) : open_water(back);
+    vec3 thrown = mirrored.a > 0.0 ? mirrored.rgb * exp(-extinction * way) + volume_glow_surface(back, way) : open_water(back);
     vec4 above = pane != 0 ? vec4(0.0) : layer_color(through_color, through_depth, LAYER_THROUGH, out_of, way);
     float blur = 0.33 * roughness + 1e-4;
     vec3 let = above.rgb + (1.0 - above.a) * (sky_radiance(out_of, blur) + sky_sun(out_of, blur));

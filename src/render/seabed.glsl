@@ -33,6 +33,9 @@ out vec4 color;
 
 void main()
 {
+    bool wet = waves_wet(position);
+    if (!waves_cover(position.xz) || wet != (layer_wet > 0.0))
+        discard;
     vec2 place = position.xz / relief_size + 0.5;
     vec2 slopes = texture(relief_texels, place).yz;
     vec3 normal = normalize(vec3(-slopes.x, 1.0, -slopes.y));
@@ -41,10 +44,6 @@ void main()
     if (pattern != PATTERN_PLAIN)
         reflectance = pattern_color(pattern, pattern_size, pattern_joint, floor_color, position.xz, width);
     vec3 ambient = texture(floor_ambient, (position.xz - ambient_square.xy) / ambient_square.z).rgb;
-    bool wet = waves_wet(position);
-    vec3 radiance = receiver_radiance(position, normal, reflectance, ambient, wet);
-    if (!waves_cover(position.xz) || wet != (layer_wet > 0.0))
-        discard;
-    color = vec4(radiance, 1.0);
+    color = vec4(receiver_radiance(position, normal, reflectance, ambient, wet), 1.0);
 }
 #endif

@@ -8,6 +8,7 @@ uniform vec2 shadow_span;         /* m: the least height, and how far the highes
 uniform float shadow_disc;        /* m that the sun's disc widens a shadow by for each m of height, above the water */
 uniform float shadow_waves;       /* the same by the slopes of the waves, below it */
 uniform int shadow_taps;
+uniform vec2 corner; /* pixels, of what is drawn in the whole picture */
 
 /* Where light to a point passes the rest surface. */
 vec2 shadow_crossing(vec3 point, vec3 to_sun)
@@ -19,7 +20,7 @@ vec2 shadow_crossing(vec3 point, vec3 to_sun)
 /* A number from 0 to 1 for each pixel (interleaved gradient noise, Jimenez 2014). */
 float shadow_noise()
 {
-    return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+    return fract(52.9829189 * fract(dot(gl_FragCoord.xy + corner, vec2(0.06711056, 0.00583715))));
 }
 
 float shadow_height(vec2 place)

@@ -46,6 +46,8 @@ void shafts_draw(struct physical *physical, const struct frame *frame)
     physical_bind_layers(physical, frame, march);
     texture_bind(gl, &shafts->noise, UNIT_NOISE);
     program_int(gl, march, "noise", UNIT_NOISE);
+    program_vec2(gl, march, "shafts_corner", frame->view.left / physical->quality.shaft_share,
+                 frame->view.bottom / physical->quality.shaft_share);
     program_int(gl, march, "steps", physical->quality.shaft_steps);
     program_float(gl, march, "pixel", 2 * high / shafts->raw.height);
     gpu_draw_screen(gl);

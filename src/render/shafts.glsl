@@ -12,6 +12,7 @@ uniform sampler2D direct_depth, through_depth;
 uniform vec3 to_sun;
 uniform sampler2D noise; /* blue */
 uniform int steps;
+uniform vec2 shafts_corner; /* texels, of this picture in the whole */
 uniform float pixel;     /* m that a texel of this picture is wide, for each m of way */
 out vec4 color;
 
@@ -50,7 +51,7 @@ void main()
         end = min(end, max(-start.y, 0.0) / ray.y);
     /* Where the water has taken all but a thousandth there is nothing to see. */
     float clearest = min(min(extinction.r, extinction.g), extinction.b), reach = min(end, 7.0 / max(clearest, 1e-3));
-    vec2 random = texelFetch(noise, ivec2(gl_FragCoord.xy) & 63, 0).rg;
+    vec2 random = texelFetch(noise, ivec2(gl_FragCoord.xy + shafts_corner) & 63, 0).rg;
     vec3 sum = vec3(0.0);
     for (int i = 0; i < steps; i++) {
         /* steps as short near the eye as the texels are small there: way = reach x² */

@@ -1,17 +1,19 @@
-/* The sky: a picture of all of it (optics/sky.h), and the sun's disc. */
-uniform sampler2D sky_texels;
+/* The sky: its upper half as a disc (render/sky_texture.c), and the sun's. */
+uniform sampler2D sky_texels;  /* the zenith in the middle, the horizon on a circle that leaves a margin */
+uniform vec3 ground_radiance;  /* of what lies below the horizon */
 uniform vec3 to_sun, sun_irradiance;
-uniform float sun_spread; /* radians: a normal distribution as wide as the disc */
+uniform float sun_spread;      /* radians: a normal distribution as wide as the disc */
 
 const float SKY_PI = 3.14159265;
+const float SKY_HORIZON = 0.45; /* radius of its circle, in sides of the texture */
 
 /* Mean radiance around a direction, of a normal distribution of directions `spread` radians wide. */
 vec3 sky_radiance(vec3 direction, float spread)
 {
-    float rows = float(textureSize(sky_texels, 0).y), level = max(log2(spread * 2.0 * rows / SKY_PI), 0.0);
-    float row = acos(clamp(direction.y, -1.0, 1.0)) / SKY_PI, margin = 0.5 * exp2(level) / rows;
-    float column = atan(direction.z, direction.x) / (2.0 * SKY_PI);
-    return textureLod(sky_texels, vec2(column, clamp(row, margin, 1.0 - margin)), level).rgb;
+    vec2 place = 0.5 + SKY_HORIZON * direction.xz / (1.0 + max(direction.y, 0.0));
+    float level = log2(max(spread * SKY_HORIZON * float(textureSize(sky_texels, 0).x), 1.0));
+    vec3 sky = textureLod(sky_texels, place, level).rgb;
+    return mix(ground_radiance, sky, smoothstep(-0.001 - spread, 0.001, direction.y));
 }
 
 /* Radiance of the sun's disc, blurred by `spread` radians. */

@@ -34,14 +34,13 @@ out vec4 color;
 
 void main()
 {
+    bool wet = waves_wet(position);
+    if (wet != (layer_wet > 0.0))
+        discard;
     vec3 facing = normalize(normal);
     if (two_sided != 0 && dot(facing, eye - position) < 0.0)
         facing = -facing;
     vec3 reflectance = pattern_color(pattern, pattern_size, pattern_joint, base, place, fwidth(place));
-    bool wet = waves_wet(position);
-    vec3 radiance = receiver_radiance(position, facing, reflectance, ambient, wet);
-    if (wet != (layer_wet > 0.0))
-        discard;
-    color = vec4(radiance, 1.0);
+    color = vec4(receiver_radiance(position, facing, reflectance, ambient, wet), 1.0);
 }
 #endif

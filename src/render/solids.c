@@ -1,6 +1,13 @@
 /* Solids: the world's triangles in the device's memory. */
 #include "render/physical.h"
 
+#include "base/log.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#define WAVES 2.0f /* m that waves reach from the rest surface at most, where parts are left out by their height */
+
 enum { ATTRIBUTE_POSITION, ATTRIBUTE_NORMAL, ATTRIBUTE_COLOR, ATTRIBUTE_PLACE, ATTRIBUTE_SWAY, ATTRIBUTE_AMBIENT };
 
 bool solids_prepare(struct solids *solids, struct dpl_gl *gl)
@@ -35,7 +42,25 @@ static void make_buffers(struct solids *solids, struct dpl_gl *gl)
     attribute(gl, ATTRIBUTE_AMBIENT, 3, 3 * sizeof(float), 0);
 }
 
-void solids_upload(struct solids *solids, struct dpl_gl *gl, const struct world *world, const float *ambient)
+/* The heights that each part lies between. */
+static bool measure_parts(struct solids *solids, const struct dpl_log *log, const struct world *world)
+{
+    free(solids->heights);
+    solids->heights = base_allocate(log, (size_t)world->part_count + 1, sizeof *solids->heights, "solids");
+    for (int p = 0; solids->heights && p < world->part_count; p++) {
+        float *heights = solids->heights[p];
+        heights[0] = INFINITY;
+        heights[1] = -INFINITY;
+        for (int i = world->parts[p].first; i < world->parts[p].first + world->parts[p].count; i++) {
+            float y = world->vertices[world->indices[i]].position[1];
+            heights[0] = fminf(heights[0], y);
+            heights[1] = fmaxf(heights[1], y);
+        }
+    }
+    return solids->heights != NULL;
+}
+
+bool solids_upload(struct solids *solids, struct dpl_gl *gl, const struct world *world, const float *ambient)
 {
     if (!solids->array)
         make_buffers(solids, gl);
@@ -46,10 +71,13 @@ void solids_upload(struct solids *solids, struct dpl_gl *gl, const struct world 
                        GL_STATIC_DRAW);
         gl->BufferData(GL_ELEMENT_ARRAY_BUFFER, world->index_count * (GLsizeiptr)sizeof *world->indices, world->indices,
                        GL_STATIC_DRAW);
+        if (!measure_parts(solids, gl->log, world))
+            return false;
         solids->fingerprint = world->fingerprint;
     }
     gl->BindBuffer(GL_ARRAY_BUFFER, solids->ambient);
     gl->BufferData(GL_ARRAY_BUFFER, world->vertex_count * (GLsizeiptr)(3 * sizeof *ambient), ambient, GL_STATIC_DRAW);
+    return true;
 }
 
 static void draw_part(struct dpl_gl *gl, const struct world_part *part)
@@ -63,8 +91,7 @@ void solids_draw(const struct physical *physical, const struct frame *frame, enu
     struct dpl_gl *gl = frame->gl;
     const struct gpu_program *program = &physical->solids.program;
     const struct world *world = &physical->world;
-    bool there = wet ? world->low[1] < 1 : world->high[1] > -1; /* m; waves reach no farther from the rest surface */
-    if (world->index_count == 0 || !there)
+    if (world->index_count == 0)
         return;
     program_use(gl, program);
     physical_bind(physical, frame, program);
@@ -73,6 +100,9 @@ void solids_draw(const struct physical *physical, const struct frame *frame, enu
     gl->BindVertexArray(physical->solids.array);
     for (int i = 0; i < world->part_count; i++) {
         const struct world_part *part = world->parts + i;
+        const float *heights = physical->solids.heights[i];
+        if (wet ? heights[0] > WAVES : heights[1] < -WAVES)
+            continue;
         program_int(gl, program, "pattern", part->pattern);
         program_float(gl, program, "pattern_size", part->pattern_size);
         program_vec3(gl, program, "pattern_joint", part->joint);
@@ -95,5 +125,6 @@ void solids_finish(struct solids *solids, struct dpl_gl *gl)
     program_finish(gl, &solids->program);
     gl->DeleteVertexArrays(1, &solids->array);
     gl->DeleteBuffers(3, buffers);
+    free(solids->heights);
     *solids = (struct solids){0};
 }

@@ -2,9 +2,10 @@
 
 #include <math.h>
 
-bool tone_ready(struct dpl_gl *gl, struct tone *tone, int width, int height)
+bool tone_ready(struct dpl_gl *gl, struct tone *tone, int width, int height, int samples)
 {
-    texture_resize(gl, &tone->mean, GL_RGBA16F, width, height, TEXTURE_CLAMP, TEXTURE_NEAREST);
+    if (samples > 1)
+        texture_resize(gl, &tone->mean, GL_RGBA16F, width, height, TEXTURE_CLAMP, TEXTURE_NEAREST);
     return target_resize(gl, &tone->radiance, GL_RGBA16F, width, height, 1) &&
            program_ready(gl, &tone->add, "render/tone_add.glsl", "") &&
            program_ready(gl, &tone->show, "render/tone.glsl", "");
@@ -30,13 +31,18 @@ void tone_add(struct dpl_gl *gl, struct tone *tone, int index)
     gl->Disable(GL_BLEND);
 }
 
-void tone_show(struct dpl_gl *gl, struct tone *tone, const struct scene_camera *camera, int curve)
+struct gpu_texture *tone_radiance(struct tone *tone, int samples)
+{
+    return samples > 1 ? &tone->mean : &tone->radiance.color;
+}
+
+void tone_show(struct dpl_gl *gl, struct tone *tone, int samples, const struct scene_camera *camera, int curve)
 {
     double exposure[3];
     for (int c = 0; c < 3; c++)
         exposure[c] = M_PI * exp2(camera->exposure) / fmax(camera->white[c], 1e-3);
     program_use(gl, &tone->show);
-    texture_bind(gl, &tone->mean, 0);
+    texture_bind(gl, tone_radiance(tone, samples), 0);
     program_int(gl, &tone->show, "radiance", 0);
     program_vec3(gl, &tone->show, "exposure", exposure);
     program_int(gl, &tone->show, "filmic", curve == SCENE_TONE_FILMIC);

@@ -11,11 +11,11 @@
 /* All zero: none yet. */
 struct tone {
     struct gpu_target radiance; /* what a look draws into */
-    struct gpu_texture mean;    /* of the samples so far */
+    struct gpu_texture mean;    /* of the samples so far, where there are several */
     struct gpu_program add, show;
 };
 
-bool tone_ready(struct dpl_gl *gl, struct tone *tone, int width, int height);
+bool tone_ready(struct dpl_gl *gl, struct tone *tone, int width, int height, int samples);
 
 /* Where in the pixel sample `index` of `count` lies, from -0.5 to 0.5 each way. */
 void tone_place(int index, int count, double place[2]);
@@ -23,9 +23,13 @@ void tone_place(int index, int count, double place[2]);
 /* Takes what has been drawn into `radiance` as sample `index`, from 0. */
 void tone_add(struct dpl_gl *gl, struct tone *tone, int index);
 
-/* Draws the mean into the bound framebuffer as the camera takes it, through a curve (enum scene_tone), encoded for the
+/* What the samples so far come to. */
+struct gpu_texture *tone_radiance(struct tone *tone, int samples);
+
+/* Draws that of so many samples into the bound framebuffer as the camera takes it, through a curve (enum scene_tone), encoded for the
  * screen. */
-void tone_show(struct dpl_gl *gl, struct tone *tone, const struct scene_camera *camera, int curve);
+void tone_show(struct dpl_gl *gl, struct tone *tone, int samples, const struct scene_camera *camera,
+               int curve);
 
 void tone_finish(struct dpl_gl *gl, struct tone *tone);
 

@@ -93,10 +93,10 @@ vec3 view_bent(vec3 ray)
     return normalize(along - plane.xyz * sqrt(max(1.0 - dot(along, along), 1e-6)));
 }
 
-/* The point that a layer shows at a place with that depth. */
-vec3 view_point(vec2 place, float depth, int layer)
+/* The point that a layer shows along a unit ray of sight, at that depth. */
+vec3 view_point(vec3 ray, float depth, int layer)
 {
-    vec3 ray = view_ray(place), point;
+    vec3 point;
     float way = view_way(depth, ray), to_plane = view_plane(ray);
     point = view_bends(layer) && way > to_plane ? eye + ray * to_plane + view_bent(ray) * (way - to_plane) : eye + ray * way;
     return layer == LAYER_MIRROR ? point * vec3(1.0, -1.0, 1.0) : point;

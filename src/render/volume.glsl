@@ -28,21 +28,39 @@ vec3 volume_sun(float depth)
     return exp(-extinction * depth / -sun_way.y);
 }
 
-/* Light from all around at a depth, on a horizontal surface: the sky's, and what the water has scattered out of the
- * sun's beam, most of it still on its way down. */
-vec3 volume_diffuse(float depth)
+/* What the water has scattered out of the sun's beam, most of it still on its way down, at a depth on a horizontal
+ * surface; `straight` is what is left of the beam. */
+vec3 volume_scattered(float depth, vec3 straight)
 {
-    vec3 sun = sun_below * -sun_way.y, lost = exp(-(extinction - scattering) * depth / -sun_way.y) - volume_sun(depth);
-    return diffuse_below * exp(-diffuse_extinction * depth) + 0.8 * sun * max(lost, 0.0);
+    vec3 taken = exp(-(extinction - scattering) * depth / -sun_way.y) - straight;
+    return 0.8 * -sun_way.y * sun_below * max(taken, 0.0);
 }
 
-/* Light that is scattered into a sight of `way` metres from `start` along `ray`, where the sun's is that of flat water. */
+/* Light from all around at a depth, on a horizontal surface: the sky's, and what is scattered. */
+vec3 volume_diffuse(float depth)
+{
+    return diffuse_below * exp(-diffuse_extinction * depth) + volume_scattered(depth, volume_sun(depth));
+}
+
+/* Light that is scattered into a sight of `way` metres along `ray`, where the sun's is that of flat water; from a place
+ * where the sun's light across its way, and the diffuse light on a horizontal surface, are those. */
+vec3 volume_glow_from(vec3 sun_there, vec3 diffuse_there, vec3 ray, float way)
+{
+    vec3 sun_rate = extinction * (1.0 - ray.y / -sun_way.y), diffuse_rate = extinction - diffuse_extinction * ray.y;
+    /* light comes along sun_way and goes on along -ray */
+    vec3 sun = sun_there * optics_phase(dot(sun_way, -ray), asymmetry);
+    vec3 diffuse = diffuse_there / (2.0 * VOLUME_PI);
+    return scattering * (sun * volume_integral(sun_rate, way) + diffuse * volume_integral(diffuse_rate, way));
+}
+
 vec3 volume_glow(vec3 start, vec3 ray, float way)
 {
     float depth = max(-start.y, 0.0);
-    vec3 sun_rate = extinction * (1.0 - ray.y / -sun_way.y), diffuse_rate = extinction - diffuse_extinction * ray.y;
-    /* light comes along sun_way and goes on along -ray */
-    vec3 sun = sun_below * volume_sun(depth) * optics_phase(dot(sun_way, -ray), asymmetry);
-    vec3 diffuse = volume_diffuse(depth) / (2.0 * VOLUME_PI);
-    return scattering * (sun * volume_integral(sun_rate, way) + diffuse * volume_integral(diffuse_rate, way));
+    return volume_glow_from(sun_below * volume_sun(depth), volume_diffuse(depth), ray, way);
+}
+
+/* The same from the rest surface. */
+vec3 volume_glow_surface(vec3 ray, float way)
+{
+    return volume_glow_from(sun_below, diffuse_below, ray, way);
 }
