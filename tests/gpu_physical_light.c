@@ -9,7 +9,8 @@
 static const char waves[] = "[scene]\nsize = 1\n[wave.1]\ncycles = 2 0\namplitude = 0.02\nphase = 30\n"
                             "[wave.2]\ncycles = 0 1\namplitude = 0.02\n[caustics]\nmap = 256\n";
 
-/* Brightness of the floor under flat water from 5° to 90°: what enters, what is left of it, what the water throws back. */
+/* Brightness of the floor under flat water from 5° to 90°: what enters, what is left of it, what the water throws back.
+ */
 static void check_flat_floor(struct physical_fixture *fixture)
 {
     struct dpl_scene *scene = physical_scene(fixture, "[water]\nabsorption = 0.35 0.07 0.03\n");
@@ -38,7 +39,9 @@ static void check_energy(struct physical_fixture *fixture)
         struct dpl_image *with = physical_radiance(fixture, scene, 128, 128);
         support_set(scene, "look.physical.caustics", "no");
         struct dpl_image *without = physical_radiance(fixture, scene, 128, 128);
-        print_message("%d: %g %g: %g, %g %g\n", elevation, physical_mean(with, 1), physical_mean(without, 1), physical_mean(with, 1) / physical_mean(without, 1) - 1, physical_contrast(with), physical_contrast(without));
+        print_message("%d: %g %g: %g, %g %g\n", elevation, physical_mean(with, 1), physical_mean(without, 1),
+                      physical_mean(with, 1) / physical_mean(without, 1) - 1, physical_contrast(with),
+                      physical_contrast(without));
         dpl_image_destroy(with);
         dpl_image_destroy(without);
     }

@@ -61,17 +61,17 @@ static void check_distances(struct physical_fixture *fixture)
     double below[3], inside = physical_inside(50 * PHYSICAL_DEGREE);
     sun_below(scene, below);
     for (int c = 0; c < 3; c++) {
-        double expected =
-            0.8 / M_PI * below[c] * sin(inside) * exp(-scene->medium.absorption[c] * 0.5 / cos(inside));
+        double expected = 0.8 / M_PI * below[c] * sin(inside) * exp(-scene->medium.absorption[c] * 0.5 / cos(inside));
         print_message("%g %g: %g\n", first[c], expected, first[c] / expected - 1);
     }
     dpl_scene_destroy(scene);
 }
 
-#define MURKY                                                                                                         \
-    "[water]\nabsorption = 0.1 0.1 0.1\nscattering = 0.2 0.2 0.2\nanisotropy = 0.5\n[floor]\ncolor = 0 0 0\n"         \
+#define MURKY                                                                                                          \
+    "[water]\nabsorption = 0.1 0.1 0.1\nscattering = 0.2 0.2 0.2\nanisotropy = 0.5\n[floor]\ncolor = 0 0 0\n"          \
     "[scene]\nsize = 1\n"
-#define WAVES "[wave.1]\ncycles = 2 0\namplitude = 0.02\n[wave.2]\ncycles = 0 1\namplitude = 0.02\n[caustics]\nslices = 6\n"
+#define WAVES                                                                                                          \
+    "[wave.1]\ncycles = 2 0\namplitude = 0.02\n[wave.2]\ncycles = 0 1\namplitude = 0.02\n[caustics]\nslices = 6\n"
 #define EXTINCTION (0.1 + 0.2 * (1 - 0.25)) /* 1/m: without the share g² that goes straight on */
 
 /* Level, between surface and floor. */
@@ -89,7 +89,8 @@ static void check_shafts(struct physical_fixture *fixture)
     support_set(scene, "sun.elevation", "70");
     struct dpl_image *with = look_level(fixture, scene, true, 40), *without = look_level(fixture, scene, false, 40);
     double mean = physical_mean(with, 1), mean_without = physical_mean(without, 1);
-    print_message("shafts: %g %g: %g; %g %g\n", mean, mean_without, mean / mean_without - 1, physical_contrast(with), physical_contrast(without));
+    print_message("shafts: %g %g: %g; %g %g\n", mean, mean_without, mean / mean_without - 1, physical_contrast(with),
+                  physical_contrast(without));
     dpl_image_destroy(with);
     dpl_image_destroy(without);
     dpl_scene_destroy(scene);
@@ -101,7 +102,8 @@ static void check_raft(struct physical_fixture *fixture)
     struct dpl_scene *scene = physical_scene(
         fixture, MURKY "[object.raft]\nshape = box\non_floor = no\nposition = 0 -0.1 0\nsize = 80 0.02 80\n");
     struct dpl_image *with = look_level(fixture, scene, true, 4), *without = look_level(fixture, scene, false, 4);
-    double below[3], asymmetry = 0.5 / 1.5, phase = (1 - asymmetry * asymmetry) / (4 * M_PI) / pow(1 + asymmetry * asymmetry, 1.5);
+    double below[3], asymmetry = 0.5 / 1.5,
+                     phase = (1 - asymmetry * asymmetry) / (4 * M_PI) / pow(1 + asymmetry * asymmetry, 1.5);
     sun_below(scene, below);
     double expected = 0.2 * 0.75 * below[1] * exp(-EXTINCTION * 0.5) * phase / EXTINCTION;
     double found = physical_mean(without, 1) - physical_mean(with, 1);
@@ -136,6 +138,7 @@ static void the_water_takes_light_in_es(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(the_water_takes_light), cmocka_unit_test(the_water_takes_light_in_es)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(the_water_takes_light),
+                                       cmocka_unit_test(the_water_takes_light_in_es)};
     return support_has_gl() ? cmocka_run_group_tests(tests, NULL, NULL) : SUPPORT_SKIPPED;
 }

@@ -189,31 +189,27 @@ static inline double physical_crossing(double before, double beyond, double leve
     return (low + high) / 2;
 }
 
-/* Where two pictures differ: the number of pixels by more than `least` in green, and their middle in pixels, each
- * weighted by its difference. */
+/* Where two pictures differ by more than `least` in green: the number of pixels, and their middle in pixels. */
 struct physical_spot {
     int count;
     double x, y;
 };
 
-static inline struct physical_spot physical_difference(const struct dpl_image *a, const struct dpl_image *b, int top,
-                                                       int bottom, double least)
+static inline struct physical_spot physical_difference(const struct dpl_image *a, const struct dpl_image *b,
+                                                       double least)
 {
     struct physical_spot spot = {0, 0, 0};
-    double sum = 0;
-    for (int row = top; row < bottom; row++) {
+    for (int row = 0; row < a->height; row++) {
         for (int column = 0; column < a->width; column++) {
-            double weight = fabs(physical_pixel(a, column, row, 1) - physical_pixel(b, column, row, 1));
-            if (weight <= least)
+            if (fabs(physical_pixel(a, column, row, 1) - physical_pixel(b, column, row, 1)) <= least)
                 continue;
             spot.count++;
-            spot.x += weight * (column + 0.5);
-            spot.y += weight * (row + 0.5);
-            sum += weight;
+            spot.x += column + 0.5;
+            spot.y += row + 0.5;
         }
     }
-    spot.x /= fmax(sum, 1e-12);
-    spot.y /= fmax(sum, 1e-12);
+    spot.x /= spot.count;
+    spot.y /= spot.count;
     return spot;
 }
 
@@ -222,7 +218,8 @@ static inline double physical_reflectance(double outside, double inside)
 {
     if (outside < 1e-6)
         return pow((PHYSICAL_IOR - 1) / (PHYSICAL_IOR + 1), 2);
-    double across = sin(outside - inside) / sin(outside + inside), along = tan(outside - inside) / tan(outside + inside);
+    double across = sin(outside - inside) / sin(outside + inside),
+           along = tan(outside - inside) / tan(outside + inside);
     return (across * across + along * along) / 2;
 }
 

@@ -82,7 +82,8 @@ static void even_light_stays_even(void **state)
     probes_spread(&fixture.probes, &fixture.world, fixture.irradiance);
     for (int i = 0; i < fixture.world.index_count; i++)
         for (int c = 0; c < 3; c++)
-            assert_true(fabsf(fixture.irradiance[3 * fixture.world.indices[i] + (unsigned)c] - 0.5f - (float)c) < 1e-4f);
+            assert_true(fabsf(fixture.irradiance[3 * fixture.world.indices[i] + (unsigned)c] - 0.5f - (float)c) <
+                        1e-4f);
     finish(&fixture);
 }
 

@@ -1,4 +1,5 @@
-/* The receivers of a scene: heights of the slices below the water and above it, and the squares that their maps show. */
+/* The receivers of a scene: heights of the slices below the water and above it, and the squares that their maps show.
+ */
 #include "support.h"
 
 #include "scene/scene.h"

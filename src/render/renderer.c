@@ -270,8 +270,8 @@ static bool draw_view(struct dpl_renderer *renderer, struct frame *frame, const 
     frame->target = linear ? &renderer->tone.radiance : &renderer->target;
     move_view(frame, (const double[2]){0, 0});
     return target_resize(renderer->gl, &renderer->target, GL_RGBA8, columns, rows, linear ? 1 : render->samples) &&
-           (!linear || tone_ready(renderer->gl, &renderer->tone, columns, rows, render->samples)) && prepare_look(renderer, frame) &&
-           (linear ? draw_linear : draw_encoded)(renderer, frame);
+           (!linear || tone_ready(renderer->gl, &renderer->tone, columns, rows, render->samples)) &&
+           prepare_look(renderer, frame) && (linear ? draw_linear : draw_encoded)(renderer, frame);
 }
 
 bool dpl_renderer_draw(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time, unsigned framebuffer,
@@ -341,7 +341,8 @@ struct dpl_image *dpl_renderer_radiance(struct dpl_renderer *renderer, const str
                                         int width, int height)
 {
     bool linear = scene_looks[scene->render.look]->linear;
-    struct gpu_texture *texture = linear ? tone_radiance(&renderer->tone, scene->render.samples) : &renderer->target.color;
+    struct gpu_texture *texture =
+        linear ? tone_radiance(&renderer->tone, scene->render.samples) : &renderer->target.color;
     return make_picture(renderer, scene, time, width, height, texture);
 }
 

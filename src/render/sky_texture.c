@@ -1,5 +1,6 @@
-/* The sky's upper half as a disc: a direction's place is its level part, divided by 1 + its upward part (a stereographic
- * projection), so that it needs neither angles nor a seam. Beyond the horizon's circle it goes on as on the horizon. */
+/* The sky's upper half as a disc: a direction's place is its level part, divided by 1 + its upward part (a
+ * stereographic projection), so that it needs neither angles nor a seam. Beyond the horizon's circle it goes on as on
+ * the horizon. */
 #include "render/physical.h"
 
 #include "base/log.h"
@@ -8,8 +9,8 @@
 #include <stdlib.h>
 
 #define SIDE 256
-#define HORIZON 0.45    /* as in sky.glsl */
-#define LOWEST 0.004    /* upward part of the lowest direction: half a row of the sky above the horizon */
+#define HORIZON 0.45 /* as in sky.glsl */
+#define LOWEST 0.004 /* upward part of the lowest direction: half a row of the sky above the horizon */
 
 static void texel_radiance(const struct optics_sky *sky, int i, int j, float *texel)
 {
