@@ -1,0 +1,242 @@
+/* Where the physical look shows things, in OpenGL 3.3 and OpenGL ES 3.0: through flat water, mirrored in it, in Snell's
+ * window, through an aquarium's pane, and with the lens half in the water; against Snell's law.
+ *
+ * A thing is found by drawing the scene with it and without it. */
+#include "physical.h"
+
+#define WIDTH 120
+#define HEIGHT 80
+#define LEAST 3e-4 /* by which pixels differ that show a thing */
+
+/* The picture with an object `marker` of that shape, size and place, and without it. */
+struct pair {
+    struct dpl_image *with, *without;
+};
+
+static struct pair draw_pair(struct physical_fixture *fixture, struct dpl_scene *scene, const char *shape,
+                             const double middle[3], const double size[3])
+{
+    struct pair pair;
+    support_set(scene, "object.marker.shape", "%s", shape);
+    support_set(scene, "object.marker.on_floor", "no");
+    support_set(scene, "object.marker.position", "%.17g %.17g %.17g", middle[0], middle[1] - size[1] / 2, middle[2]);
+    support_set(scene, "object.marker.size", "%.17g %.17g %.17g", size[0], size[1], size[2]);
+    support_set(scene, "object.marker.casts", "no");
+    pair.with = physical_radiance(fixture, scene, WIDTH, HEIGHT);
+    support_set(scene, "object.marker.position", "%.17g -30 %.17g", middle[0], middle[2]); /* below the floor */
+    pair.without = physical_radiance(fixture, scene, WIDTH, HEIGHT);
+    return pair;
+}
+
+static void finish_pair(struct pair *pair)
+{
+    dpl_image_destroy(pair->with);
+    dpl_image_destroy(pair->without);
+}
+
+/* Fails unless the pictures differ around where `expected` is seen, within `most` degrees. */
+static void expect_seen(const char *what, const struct dpl_scene *scene, const struct pair *pair,
+                        const double expected[3], double most)
+{
+    struct physical_spot spot = physical_difference(pair->with, pair->without, LEAST);
+    double found[3];
+    if (spot.count < 8)
+        fail_msg("%s: not seen, %d pixels", what, spot.count);
+    physical_ray(scene, pair->with, spot.x, spot.y, found);
+    print_message("%s: %d pixels, %g degrees off\n", what, spot.count, physical_angle(found, expected));
+    if (!(physical_angle(found, expected) <= most))
+        fail_msg("%s: %g degrees off", what, physical_angle(found, expected));
+}
+
+/* A thin white plate on the floor, seen from the air at ever lower angles. */
+static void check_from_above(struct physical_fixture *fixture)
+{
+    struct dpl_scene *scene = physical_scene(fixture, "[floor]\ncolor = 0 0 0\n");
+    for (double away = 0; away < 5; away += 1.6) {
+        const double eye[3] = {away * 0.6, 0.8, away * 0.8}, size[3] = {0.12, 0.002, 0.12};
+        double cross = physical_crossing(0.8, 1, away, PHYSICAL_IOR);
+        double expected[3] = {-0.6 * cross, -0.8, -0.8 * cross}, target[3];
+        for (int c = 0; c < 3; c++) /* not in the picture's middle */
+            target[c] = eye[c] + expected[c] + (c == 0 ? 0.1 : 0.05);
+        physical_normalize(expected);
+        physical_look(scene, eye, target, 22);
+        struct pair pair = draw_pair(fixture, scene, "box", (const double[3]){0, -0.999, 0}, size);
+        expect_seen("a plate on the floor", scene, &pair, expected, 0.15);
+        finish_pair(&pair);
+    }
+    dpl_scene_destroy(scene);
+}
+
+/* The same from in the water: a ball in the air, through the window. */
+static void check_from_below(struct physical_fixture *fixture)
+{
+    struct dpl_scene *scene = physical_scene(fixture, "[floor]\ncolor = 0 0 0\n[sky]\nbrightness = 0.1\n");
+    physical_bright_sky(fixture, scene);
+    for (double away = 0; away < 3; away += 0.9) {
+        const double eye[3] = {away, -0.7, 0.1}, size[3] = {0.15, 0.15, 0.15};
+        double cross = physical_crossing(0.7, 1, away, 1 / PHYSICAL_IOR);
+        double expected[3] = {-cross, 0.7, 0}, target[3];
+        for (int c = 0; c < 3; c++)
+            target[c] = eye[c] + expected[c] + (c == 2 ? 0.1 : 0.02);
+        physical_normalize(expected);
+        physical_look(scene, eye, target, 35);
+        struct pair pair = draw_pair(fixture, scene, "sphere", (const double[3]){0, 1, 0.1}, size);
+        expect_seen("a ball in the air", scene, &pair, expected, 0.3);
+        finish_pair(&pair);
+    }
+    dpl_scene_destroy(scene);
+}
+
+/* A ball in the air is seen straight, and in the water below it, mirrored; so is one in the water, from in it, where
+ * the water throws back all. A texel of what is mirrored is as wide as two pixels, 0.4°. */
+static void check_mirrored(struct physical_fixture *fixture)
+{
+    static const char *const names[2][2] = {{"a ball in the water", "its image in total reflection"},
+                                            {"a ball in the air", "its mirror image"}};
+    struct dpl_scene *scene = physical_scene(fixture, "[floor]\ncolor = 0 0 0\n");
+    physical_bright_sky(fixture, scene);
+    for (int i = 0; i < 4; i++) {
+        bool above = i & 1, mirrored = i & 2;
+        const double eye[3] = {0.3, above ? 0.6 : -0.4, 2.2}, ball[3] = {0, above ? 0.5 : -0.5, 0};
+        double expected[3], target[3];
+        for (int c = 0; c < 3; c++) {
+            expected[c] = (mirrored && c == 1 ? -1 : 1) * ball[c] - eye[c];
+            target[c] = eye[c] + expected[c] + 0.05;
+        }
+        physical_normalize(expected);
+        physical_look(scene, eye, target, 16);
+        struct pair pair = draw_pair(fixture, scene, "sphere", ball, (const double[3]){0.16, 0.16, 0.16});
+        expect_seen(names[above][mirrored], scene, &pair, expected, 0.25);
+        finish_pair(&pair);
+    }
+    dpl_scene_destroy(scene);
+}
+
+/* From in the water the sky stands in a circle of 48.6° about the zenith, and outside it the black floor. The picture
+ * is 12° high there, across the edge, to several sides. */
+static void check_window(struct physical_fixture *fixture)
+{
+    struct dpl_scene *scene = physical_scene(fixture, "[floor]\ncolor = 0 0 0\n");
+    const double edge = asin(1 / PHYSICAL_IOR);
+    physical_bright_sky(fixture, scene);
+    for (int azimuth = 10; azimuth < 360; azimuth += 70) {
+        const double level = tan(edge), eye[3] = {0.3, -0.5, 0.1};
+        const double target[3] = {eye[0] + level * cos(azimuth * PHYSICAL_DEGREE), 0.5,
+                                  eye[2] + level * sin(azimuth * PHYSICAL_DEGREE)};
+        physical_look(scene, eye, target, 12);
+        struct dpl_image *image = physical_radiance(fixture, scene, WIDTH, HEIGHT);
+        int row = 0;
+        while (row < HEIGHT && physical_pixel(image, WIDTH / 2, row, 1) > 0.05)
+            row++;
+        for (int below = row; below < HEIGHT; below++)
+            assert_true(physical_pixel(image, WIDTH / 2, below, 1) <= 1e-3);
+        double ray[3];
+        physical_ray(scene, image, WIDTH / 2.0, row, ray);
+        double found = acos(ray[1]) / PHYSICAL_DEGREE;
+        print_message("window %d: %g of %g\n", azimuth, found, edge / PHYSICAL_DEGREE);
+        dpl_image_destroy(image);
+    }
+    dpl_scene_destroy(scene);
+}
+
+/* How bright the sky is in the window: as Fresnel lets it in, and n² times as bright, as its light comes from a wider
+ * angle. */
+static void check_window_brightness(struct physical_fixture *fixture)
+{
+    struct dpl_scene *scene = physical_scene(fixture, "[floor]\ncolor = 0 0 0\n");
+    physical_bright_sky(fixture, scene);
+    physical_look(scene, (const double[3]){0, -0.5, 0}, (const double[3]){0, 0, 0}, 90);
+    struct dpl_image *image = physical_radiance(fixture, scene, WIDTH, HEIGHT);
+    for (int column = WIDTH / 2; column < WIDTH; column++) {
+        double ray[3];
+        physical_ray(scene, image, column + 0.5, HEIGHT / 2.0 + 0.5, ray);
+        double inside = acos(ray[1]), sine = PHYSICAL_IOR * sin(inside);
+        double share = sine >= 1 ? 1 : physical_reflectance(asin(sine), inside);
+        double expected = PHYSICAL_IOR * PHYSICAL_IOR * (1 - share);
+        double found = physical_pixel(image, column, HEIGHT / 2, 1);
+        print_message("%g: %g %g\n", inside / PHYSICAL_DEGREE, found, expected);
+    }
+    dpl_image_destroy(image);
+    dpl_scene_destroy(scene);
+}
+
+/* Half in the water: the sky above a line, the floor below it; where the lens, the near plane, meets the water. */
+static void check_line(struct physical_fixture *fixture)
+{
+    struct dpl_scene *scene = physical_scene(fixture, "[floor]\ncolor = 0 0 0\n[camera]\nnear_plane = 0.1\n");
+    physical_bright_sky(fixture, scene);
+    for (int i = -2; i <= 2; i++) {
+        double height = 0.01 * i, eye[3] = {0.2, height, 1};
+        physical_look(scene, eye, (const double[3]){0.2, height, 0}, 50);
+        struct dpl_image *image = physical_radiance(fixture, scene, WIDTH, HEIGHT);
+        for (int column = 5; column < WIDTH; column += 22) {
+            int row = 0;
+            while (row < HEIGHT && physical_pixel(image, column, row, 1) > 0.9)
+                row++;
+            double expected = HEIGHT / 2.0 * (1 + height / 0.1 / tan(25 * PHYSICAL_DEGREE));
+            print_message("line %g: %d of %g; below %g\n", height, row, expected,
+                          physical_pixel(image, column, row + 5, 1));
+        }
+        dpl_image_destroy(image);
+    }
+    dpl_scene_destroy(scene);
+}
+
+/* A ball in a tank of 1 m, from outside it: through the pane that faces the eye, as through any plane. */
+static void check_pane(struct physical_fixture *fixture)
+{
+    struct dpl_scene *scene =
+        physical_scene(fixture, "[scene]\nsize = 1\ndepth = 0.6\nedge = glass\n[floor]\ncolor = 0 0 0\n");
+    physical_bright_sky(fixture, scene);
+    for (int i = 0; i < 4; i++) {
+        const double eyes[4][3] = {{0, -0.3, 1.5}, {0.9, -0.25, 1.4}, {-1.5, -0.1, 1.8}, {1.6, -0.35, 0.6}};
+        const double ball[3] = {0.1, -0.35, -0.1}, size[3] = {0.08, 0.08, 0.08}, *eye = eyes[i];
+        int ahead = i == 3 ? 0 : 2, beside = 2 - ahead; /* the axes across the pane, and along it */
+        double before = eye[ahead] - 0.5, beyond = 0.5 - ball[ahead],
+               along[2] = {ball[beside] - eye[beside], ball[1] - eye[1]};
+        double level = hypot(along[0], along[1]), cross = physical_crossing(before, beyond, level, PHYSICAL_IOR),
+               expected[3];
+        expected[ahead] = -before;
+        expected[beside] = along[0] * cross / level;
+        expected[1] = along[1] * cross / level;
+        physical_look(scene, eye, (const double[3]){0, -0.3, 0.1}, 35);
+        physical_normalize(expected);
+        struct pair pair = draw_pair(fixture, scene, "sphere", ball, size);
+        expect_seen("a ball in a tank", scene, &pair, expected, 0.2);
+        finish_pair(&pair);
+    }
+    dpl_scene_destroy(scene);
+}
+
+static void check(bool es)
+{
+    struct physical_fixture fixture;
+    physical_start(&fixture, es);
+    check_from_above(&fixture);
+    check_from_below(&fixture);
+    check_mirrored(&fixture);
+    check_window(&fixture);
+    check_window_brightness(&fixture);
+    check_line(&fixture);
+    check_pane(&fixture);
+    physical_finish(&fixture);
+}
+
+static void things_are_seen_where_they_should_be(void **state)
+{
+    (void)state;
+    check(false);
+}
+
+static void things_are_seen_where_they_should_be_in_es(void **state)
+{
+    (void)state;
+    check(true);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(things_are_seen_where_they_should_be),
+                                       cmocka_unit_test(things_are_seen_where_they_should_be_in_es)};
+    return support_has_gl() ? cmocka_run_group_tests(tests, NULL, NULL) : SUPPORT_SKIPPED;
+}

@@ -1,0 +1,144 @@
+/* What the water of the physical look does to light, in OpenGL 3.3 and OpenGL ES 3.0: colours against depth and
+ * distance, light that is scattered, shafts and their shadows; against closed forms. */
+#include "physical.h"
+
+#define ABSORPTION "[water]\nabsorption = 0.35 0.07 0.03\n"
+
+/* Irradiance of the sun across its rays just below flat water. */
+static void sun_below(const struct dpl_scene *scene, double irradiance[3])
+{
+    double outside = (90 - scene->sun.elevation) * PHYSICAL_DEGREE, inside = physical_inside(outside);
+    physical_sun(scene, irradiance);
+    for (int c = 0; c < 3; c++)
+        irradiance[c] *= cos(outside) * (1 - physical_reflectance(outside, inside)) / cos(inside);
+}
+
+/* A white plate straight below the eye, deeper and deeper: the light goes down and up again. What the water throws back
+ * of it is under 0.3 %. */
+static void check_depths(struct physical_fixture *fixture)
+{
+    struct dpl_scene *scene = physical_scene(
+        fixture, ABSORPTION "[scene]\ndepth = 6\n[floor]\ncolor = 0 0 0\n[object.plate]\nshape = box\non_floor = no\n"
+                            "size = 0.4 0.02 0.4\ncolor = 0.8 0.8 0.8\n");
+    double below[3];
+    sun_below(scene, below);
+    for (double depth = 0.5; depth < 5; depth *= 2) {
+        support_set(scene, "object.plate.position", "0 %g 0", -depth - 0.02);
+        physical_look_down(scene, 0, 0, 0.2);
+        struct dpl_image *image = physical_radiance(fixture, scene, 8, 8);
+        for (int c = 0; c < 3; c++) {
+            double expected = 0.8 / M_PI * below[c] * exp(-scene->medium.absorption[c] * (2 * depth - 0.02));
+            double found = physical_mean(image, c);
+            print_message("depth %g, %d: %g %g %g\n", depth, c, found, expected, found / expected - 1);
+            if (fabs(found / expected - 1) > 0.01)
+                fail_msg("depth %g, channel %d: %g, not %g", depth, c, found, expected);
+        }
+        dpl_image_destroy(image);
+    }
+    dpl_scene_destroy(scene);
+}
+
+/* A wall from farther and farther away, level: its own light is the same each time. */
+static void check_distances(struct physical_fixture *fixture)
+{
+    struct dpl_scene *scene =
+        physical_scene(fixture, ABSORPTION "[sun]\nelevation = 40\nazimuth = 90\n[floor]\ncolor = 0 0 0\n"
+                                           "[object.wall]\nshape = box\nposition = 0 0 -0.1\nsize = 2 0.9 0.2\n"
+                                           "color = 0.8 0.8 0.8\n");
+    double first[3] = {0};
+    for (double way = 1; way < 10; way *= 2) {
+        physical_look(scene, (const double[3]){0, -0.5, way}, (const double[3]){0, -0.5, 0}, 2);
+        struct dpl_image *image = physical_radiance(fixture, scene, 8, 8);
+        for (int c = 0; c < 3; c++) {
+            double found = physical_mean(image, c) * exp(scene->medium.absorption[c] * way);
+            first[c] = way == 1 ? found : first[c];
+            print_message("way %g, %d: %g %g\n", way, c, found, found / first[c] - 1);
+            if (fabs(found / first[c] - 1) > 0.005)
+                fail_msg("%g m away, channel %d: %g, not %g", way, c, found, first[c]);
+        }
+        dpl_image_destroy(image);
+    }
+    double below[3], inside = physical_inside(50 * PHYSICAL_DEGREE);
+    sun_below(scene, below);
+    for (int c = 0; c < 3; c++) {
+        double expected = 0.8 / M_PI * below[c] * sin(inside) * exp(-scene->medium.absorption[c] * 0.5 / cos(inside));
+        print_message("%g %g: %g\n", first[c], expected, first[c] / expected - 1);
+    }
+    dpl_scene_destroy(scene);
+}
+
+#define MURKY                                                                                                          \
+    "[water]\nabsorption = 0.1 0.1 0.1\nscattering = 0.2 0.2 0.2\nanisotropy = 0.5\n[floor]\ncolor = 0 0 0\n"          \
+    "[scene]\nsize = 1\n"
+#define WAVES                                                                                                          \
+    "[wave.1]\ncycles = 2 0\namplitude = 0.02\n[wave.2]\ncycles = 0 1\namplitude = 0.02\n[caustics]\nslices = 6\n"
+#define EXTINCTION (0.1 + 0.2 * (1 - 0.25)) /* 1/m: without the share g² that goes straight on */
+
+/* Level, between surface and floor. */
+static struct dpl_image *look_level(struct physical_fixture *fixture, struct dpl_scene *scene, bool shafts, double view)
+{
+    physical_look(scene, (const double[3]){0.1, -0.5, 0.2}, (const double[3]){0.3, -0.5, -2}, view);
+    support_set(scene, "look.physical.shafts", shafts ? "yes" : "no");
+    return physical_radiance(fixture, scene, 96, 64);
+}
+
+/* Shafts redistribute light: the mean stays, and where there were none it is uneven. */
+static void check_shafts(struct physical_fixture *fixture)
+{
+    struct dpl_scene *scene = physical_scene(fixture, MURKY WAVES);
+    support_set(scene, "sun.elevation", "70");
+    struct dpl_image *with = look_level(fixture, scene, true, 40), *without = look_level(fixture, scene, false, 40);
+    double mean = physical_mean(with, 1), mean_without = physical_mean(without, 1);
+    print_message("shafts: %g %g: %g; %g %g\n", mean, mean_without, mean / mean_without - 1, physical_contrast(with),
+                  physical_contrast(without));
+    dpl_image_destroy(with);
+    dpl_image_destroy(without);
+    dpl_scene_destroy(scene);
+}
+
+/* Under a raft that covers all of the sight there is no scattered sun. */
+static void check_raft(struct physical_fixture *fixture)
+{
+    struct dpl_scene *scene = physical_scene(
+        fixture, MURKY "[object.raft]\nshape = box\non_floor = no\nposition = 0 -0.1 0\nsize = 80 0.02 80\n");
+    struct dpl_image *with = look_level(fixture, scene, true, 4), *without = look_level(fixture, scene, false, 4);
+    double below[3], asymmetry = 0.5 / 1.5,
+                     phase = (1 - asymmetry * asymmetry) / (4 * M_PI) / pow(1 + asymmetry * asymmetry, 1.5);
+    sun_below(scene, below);
+    double expected = 0.2 * 0.75 * below[1] * exp(-EXTINCTION * 0.5) * phase / EXTINCTION;
+    double found = physical_mean(without, 1) - physical_mean(with, 1);
+    print_message("raft: %g %g %g, without %g\n", found, expected, found / expected - 1, physical_mean(without, 1));
+    dpl_image_destroy(with);
+    dpl_image_destroy(without);
+    dpl_scene_destroy(scene);
+}
+
+static void check(bool es)
+{
+    struct physical_fixture fixture;
+    physical_start(&fixture, es);
+    check_depths(&fixture);
+    check_distances(&fixture);
+    check_shafts(&fixture);
+    check_raft(&fixture);
+    physical_finish(&fixture);
+}
+
+static void the_water_takes_light(void **state)
+{
+    (void)state;
+    check(false);
+}
+
+static void the_water_takes_light_in_es(void **state)
+{
+    (void)state;
+    check(true);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(the_water_takes_light),
+                                       cmocka_unit_test(the_water_takes_light_in_es)};
+    return support_has_gl() ? cmocka_run_group_tests(tests, NULL, NULL) : SUPPORT_SKIPPED;
+}
