@@ -23,7 +23,7 @@ static struct camera_sight look(const double eye[3], int axis, double sign, doub
     return view;
 }
 
-static const struct camera_settings usual = {.bounces = 4, .photons = 20, .solid_radius = 0.03, .water_radius = 0.1};
+static const struct camera_settings usual = {.bounces = 4, .photons = 10, .solid_radius = 0.03, .water_radius = 0.1};
 
 static void draw(struct place *place, const struct camera_sight *view, const struct camera_settings *settings,
                  int passes, struct picture *picture)
@@ -32,7 +32,7 @@ static void draw(struct place *place, const struct camera_sight *view, const str
     assert_true(camera_begin(&camera, &place->world, view, settings, NULL));
     for (int i = 0; i < passes; i++)
         camera_pass(&camera);
-    camera_read(&camera, picture->pixels);
+    camera_read(&camera, 0, 0, SIDE, SIDE, picture->pixels);
     camera_finish(&camera);
 }
 
@@ -57,13 +57,13 @@ static void a_white_furnace_is_white(void **state)
 {
     struct place *place = *state;
     struct picture picture;
-    const struct camera_settings settings = {.bounces = 1000};
+    const struct camera_settings settings = {.bounces = 100};
     const struct camera_sight view = look((const double[3]){0.2, 1, 3}, 2, -1, 0.7);
     shine(place, 1, 0);
     for (int c = 0; c < 3; c++)
         place->floor[c] = place->solids[c] = 1;
     put_box(place, (const double[3]){-1, -1, -1}, (const double[3]){1, 1.5, 1}, false);
-    draw(place, &view, &settings, 64, &picture);
+    draw(place, &view, &settings, 16, &picture);
     expect(mean(&picture, 1), 1, 2e-3);
     place->solids[1] = 0; /* a black box can */
     draw(place, &view, &settings, 4, &picture);
@@ -103,7 +103,7 @@ static void sky_through_snells_window(void **state)
     place->world.water.half = INFINITY;
     place->world.water.surface = surface;
     place->floor[0] = place->floor[1] = place->floor[2] = 0;
-    draw(place, &view, &usual, 256, &picture);
+    draw(place, &view, &usual, 64, &picture);
     for (int i = 0; i < SIDE * SIDE; i++) {
         double x = (2 * (i % SIDE + 0.5) / SIDE - 1) * half, y = (2 * (i / SIDE + 0.5) / SIDE - 1) * half;
         double away = sqrt(x * x + y * y), pixel = 2 * half / SIDE;
@@ -123,18 +123,18 @@ static void shafts_of_still_water(void **state)
     struct picture picture;
     struct surface *surface = at_rest(place);
     struct optics_water *optics = &place->world.water.optics;
-    const struct camera_settings once = {.bounces = 0, .photons = 20, .solid_radius = 0.03, .water_radius = 0.1};
+    const struct camera_settings once = {.bounces = 0, .photons = 40, .solid_radius = 0.03, .water_radius = 0.4};
     const struct camera_sight view = look((const double[3]){0.2, -1.5, 0.3}, 0, 1, 0.01);
     shine(place, 0, 5);
     place->world.depth = 50;
     place->world.water.half = INFINITY;
     place->world.water.surface = surface;
     for (int c = 0; c < 3; c++) {
-        optics->absorption[c] = 0.2;
-        optics->scattering[c] = 0.1 * (1 + c);
+        optics->absorption[c] = 0.3;
+        optics->scattering[c] = 0.001 * (1 + c); /* so little that almost none is scattered twice */
     }
     optics->anisotropy = 0.4;
-    draw(place, &view, &once, 64, &picture);
+    draw(place, &view, &once, 16, &picture);
     double sine = sin(M_PI / 3), inside = sqrt(1 - pow(cos(M_PI / 3) / 1.333, 2));
     /* The sun stands in +x and +z: its light goes on towards the eye, which looks to +x. */
     double along = cos(M_PI / 3) * cos(M_PI / 6) / 1.333, g = 0.4;
@@ -145,6 +145,43 @@ static void shafts_of_still_water(void **state)
             5 * (1 - optics_fresnel_reflectance(sine, 1.333)) * sine / inside * exp(-extinction * 1.5 / inside);
         expect(mean(&picture, c), beam * optics->scattering[c] * phase / extinction, 0.02);
     }
+}
+
+/* Cloudy water over a bright floor: what photons bring is what paths find that know the sun's way through water at
+ * rest, and are scattered and thrown back as often as they like. */
+static void photons_bring_what_paths_find(void **state)
+{
+    struct place *place = *state;
+    struct picture picture;
+    struct surface *surface = at_rest(place);
+    const struct camera_sight sight = look((const double[3]){0.2, 2, 0.3}, 1, -1, 0.1);
+    const struct camera_settings settings = {.bounces = 30, .photons = 60, .solid_radius = 0.05, .water_radius = 0.05};
+    shine(place, 0, 5);
+    place->world.water.half = INFINITY;
+    place->world.water.surface = surface;
+    for (int c = 0; c < 3; c++) {
+        place->world.water.optics.absorption[c] = 0.1;
+        place->world.water.optics.scattering[c] = 0.3 * (1 + c);
+    }
+    place->world.water.optics.anisotropy = 0.3;
+    draw(place, &sight, &settings, 16, &picture);
+
+    struct camera_scene scene;
+    double sums[3] = {0, 0, 0};
+    const int paths = 32;
+    assert_true(camera_scene_make(&scene, &place->world, NULL));
+    const struct camera_path path = {.scene = &scene, .bounces = 30};
+    for (int i = 0; i < SIDE * SIDE * paths; i++) {
+        struct draws draws = {.start = random_mix(1000 + (uint64_t)(i / paths)), .path = (uint64_t)(i % paths)};
+        double direction[3], radiance[3], u = draws_next(&draws), v = draws_next(&draws);
+        camera_sight_ray(&sight, i / paths % SIDE + u, i / paths / SIDE + v, direction);
+        camera_path_radiance(&path, sight.eye, direction, false, &draws, radiance);
+        for (int c = 0; c < 3; c++)
+            sums[c] += radiance[c] / (SIDE * SIDE * paths);
+    }
+    camera_scene_finish(&scene);
+    for (int c = 0; c < 3; c++)
+        expect(mean(&picture, c), sums[c], 0.025);
 }
 
 /* The photons of a picture and those of a caustic map count the same light on the floor. */
@@ -166,7 +203,7 @@ static void caustics_are_those_that_were_counted(void **state)
     static float map[MAP * MAP * 3];
     struct photons counted = {.passes = 0};
     assert_true(photons_begin(&counted, &task, NULL));
-    for (int i = 0; i < 200; i++)
+    for (int i = 0; i < 100; i++)
         photons_pass(&counted, &task);
     photons_read(&counted, 0, map);
     photons_finish(&counted);
@@ -181,7 +218,7 @@ static void caustics_are_those_that_were_counted(void **state)
     struct camera_photons photons;
     const struct camera_sight view = look((const double[3]){0, 4, 0}, 1, -1, 0.4);
     assert_true(camera_scene_make(&scene, &place->world, NULL));
-    assert_true(camera_photons_begin(&photons, &scene, &view, 2000000, NULL));
+    assert_true(camera_photons_begin(&photons, &scene, &view, 1500000, NULL));
     camera_photons_send(&photons, 0);
     const double sine = sin(M_PI / 3), inside = sqrt(1 - pow(cos(M_PI / 3) / 1.333, 2)), up[3] = {0, 1, 0};
     double flat = 5 * sine * (1 - optics_fresnel_reflectance(sine, 1.333)) * exp(-0.07 / inside);
@@ -229,6 +266,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(the_floor_below_flat_water, setup, teardown),
         cmocka_unit_test_setup_teardown(sky_through_snells_window, setup, teardown),
         cmocka_unit_test_setup_teardown(shafts_of_still_water, setup, teardown),
+        cmocka_unit_test_setup_teardown(photons_bring_what_paths_find, setup, teardown),
         cmocka_unit_test_setup_teardown(caustics_are_those_that_were_counted, setup, teardown),
         cmocka_unit_test_setup_teardown(threads_do_not_show, setup, teardown),
     };

@@ -54,6 +54,8 @@ static void check_looks(struct fixture *fixture)
         struct dpl_scene *scene = support_scene(waters[w], &fixture->log.log);
         support_set(scene, "caustics.map", "32");
         support_set(scene, "sphere.position", "-0.4 -0.6 0.2");
+        support_set(scene, "look.path-traced.passes", "1");
+        support_set(scene, "look.path-traced.mesh", "128");
         for (int i = 0; scene_looks[i]; i++) {
             support_set(scene, "render.look", "%s", scene_looks[i]->name);
             for (int below = 0; below < 2; below++) {

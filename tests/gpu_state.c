@@ -35,7 +35,7 @@ static void make_own(struct fixture *fixture)
     gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
     gl->BindTexture(GL_TEXTURE_2D, 0);
     gl->GenTextures(1, &fixture->array);
-    gl->ActiveTexture(GL_TEXTURE9);
+    gl->ActiveTexture(GL_TEXTURE17);
     fixture->beyond = make_texture(gl);
     gl->ActiveTexture(GL_TEXTURE0);
     state_dump(gl, &fixture->initial);
@@ -81,7 +81,7 @@ static void disturb(struct fixture *fixture)
         gl->BindTexture(GL_TEXTURE_2D, fixture->texture);
         gl->BindTexture(GL_TEXTURE_2D_ARRAY, fixture->array);
     }
-    gl->ActiveTexture(GL_TEXTURE9);
+    gl->ActiveTexture(GL_TEXTURE17);
     gl->Viewport(3, 4, 5, 6);
     gl->ClearColor(0.1f, 0.2f, 0.3f, 0.4f);
     gl->BlendFuncSeparate(GL_DST_COLOR, GL_ZERO, GL_ONE, GL_SRC_COLOR);

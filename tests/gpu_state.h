@@ -63,7 +63,7 @@ static inline void state_load(struct state_gl *gl)
 #undef STATE_LOAD
 }
 
-#define STATE_UNITS 12 /* texture units looked at: those that dapple uses, and some beyond */
+#define STATE_UNITS 20 /* texture units looked at: those that dapple uses, and some beyond */
 #define STATE_LINES 300
 
 struct state_text {

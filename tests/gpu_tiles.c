@@ -19,7 +19,8 @@ struct fixture {
 
 static const char scene_text[] = "[water]\nmodel = sines\n[wave.1]\ncycles = 2 1\namplitude = 0.05\n"
                                  "[camera]\nposition = 0.5 0.8 2.5\nfield_of_view = 60\n"
-                                 "[sphere]\nradius = 0.3\nposition = -0.4 -0.5 0.2\n[caustics]\nmap = 64\n";
+                                 "[sphere]\nradius = 0.3\nposition = -0.4 -0.5 0.2\n[caustics]\nmap = 64\n"
+                                 "[look.path-traced]\npasses = 1\nmesh = 128\n";
 
 static void count_tile(void *user, int done, int tiles)
 {

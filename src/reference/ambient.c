@@ -41,12 +41,23 @@ static void bake(const struct camera_path *path, int index, const float position
         irradiance[c] = (float)(sum[c] * M_PI / rays);
 }
 
+/* Light that is scattered almost straight on counts as not scattered: of a phase function with that anisotropy the
+ * share of its square (Joseph, Wiscombe & Weinman 1976). */
+static void straighten(struct optics_water *water)
+{
+    double g = fmax(water->anisotropy, 0);
+    for (int c = 0; c < 3; c++)
+        water->scattering[c] *= 1 - g * g;
+    water->anisotropy = g > 0 ? g / (1 + g) : water->anisotropy;
+}
+
 bool ambient_bake(const struct camera_world *world, int count, const float *positions, const float *normals, int rays,
                   float *irradiance, const struct dpl_log *log)
 {
     struct camera_world still = *world;
     struct camera_scene scene;
     still.water.surface = NULL;
+    straighten(&still.water.optics);
     if (!camera_scene_make(&scene, &still, log))
         return false;
     const struct camera_path path = {.scene = &scene, .bounces = BOUNCES};

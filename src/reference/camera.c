@@ -32,8 +32,7 @@ void camera_finish(struct camera *camera)
 static void trace_pixel(struct camera *camera, const struct camera_path *path, int column, int row, bool wet)
 {
     uint64_t pixel = (uint64_t)row * (uint64_t)camera->sight.width + (uint64_t)column;
-    uint64_t place = (uint64_t)(camera->sight.bottom + row) << 32 | (uint64_t)(camera->sight.left + column);
-    struct draws draws = {.start = random_mix(place + 1), .path = (uint64_t)camera->passes};
+    struct draws draws = {.start = random_mix(pixel + 1), .path = (uint64_t)camera->passes};
     double u = draws_next(&draws), v = draws_next(&draws), direction[3], radiance[3];
     camera_sight_ray(&camera->sight, column + u, row + v, direction);
     camera_path_radiance(path, camera->sight.eye, direction, wet, &draws, radiance);
@@ -60,12 +59,21 @@ void camera_pass(struct camera *camera)
     camera->passes++;
 }
 
-void camera_read(const struct camera *camera, float *radiance)
+static int clamp(int at, int count)
 {
-    size_t count = (size_t)camera->sight.width * (size_t)camera->sight.height;
-    for (size_t i = 0; i < count; i++) {
-        for (size_t c = 0; c < 3; c++)
-            radiance[4 * i + c] = (float)(camera->sums[3 * i + c] / camera->passes);
-        radiance[4 * i + 3] = 1;
+    return at < 0 ? 0 : at < count ? at : count - 1;
+}
+
+void camera_read(const struct camera *camera, int left, int bottom, int columns, int rows, float *radiance)
+{
+    int width = camera->sight.width, height = camera->sight.height;
+    for (int j = 0; j < rows; j++) {
+        for (int i = 0; i < columns; i++) {
+            size_t from = (size_t)clamp(bottom + j, height) * (size_t)width + (size_t)clamp(left + i, width);
+            float *pixel = radiance + 4 * ((size_t)j * (size_t)columns + (size_t)i);
+            for (size_t c = 0; c < 3; c++)
+                pixel[c] = (float)(camera->sums[3 * from + c] / camera->passes);
+            pixel[3] = 1;
+        }
     }
 }

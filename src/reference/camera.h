@@ -33,7 +33,8 @@ void camera_finish(struct camera *camera);
 /* One more path for each pixel. */
 void camera_pass(struct camera *camera);
 
-/* Radiance after at least one pass: height × width × 4, the last 1; the first row is the lowest. */
-void camera_read(const struct camera *camera, float *radiance);
+/* Radiance of a part of the picture after at least one pass: rows × columns × 4, the last 1; the first row is the
+ * lowest. What lies beyond the picture is its edge's. */
+void camera_read(const struct camera *camera, int left, int bottom, int columns, int rows, float *radiance);
 
 #endif

@@ -4,19 +4,20 @@
 #include "reference/camera_medium.h"
 #include "reference/draws.h"
 
+#include "base/sine.h"
 #include "optics/refraction.h"
 
 #include <stdlib.h>
 
 #define SIDE CAMERA_AIM_SIDE
-#define SMALL 32.0      /* m: half a side of a block of water that photons are sent to all of */
-#define PILOTS 128      /* paths from the eye, across and down the picture */
-#define MEETINGS 6      /* that they have */
-#define COPIES 4        /* of each way back: waves spread them */
-#define SPREAD 0.25     /* m for each metre between water and place */
-#define EVERYWHERE 0.15 /* share of the photons that goes evenly to all of the square */
-#define LEFT_OUT 0.005  /* share of the ways back at either end along x and z that the square leaves out */
-#define LEAST 0.01      /* throughput below which a place is hardly seen */
+#define SMALL 32.0     /* m: half a side of a block of water that photons are sent to all of */
+#define PILOTS 128     /* paths from the eye, across and down the picture */
+#define MEETINGS 6     /* that they have */
+#define COPIES 4       /* of each way back: waves spread them */
+#define SPREAD 0.25    /* m for each metre between water and place */
+#define FARTHER 0.25   /* share of the photons that goes to all of the water, less and less away from the square */
+#define LEFT_OUT 0.005 /* share of the ways back at either end along x and z that the square leaves out */
+#define LEAST 0.01     /* throughput below which a place is hardly seen */
 
 /* Places of the water. */
 struct ways {
@@ -130,8 +131,8 @@ static void count_ways(struct camera_aim *aim, const struct ways *ways)
         aim->cells[row][column + 1]++;
         total++;
     }
-    even = fmax(EVERYWHERE * total, 1) / (SIDE * SIDE);
-    total += even * SIDE * SIDE;
+    even = total > 0 ? 0 : 1;
+    total = total > 0 ? total : SIDE * SIDE;
     for (int row = 0; row < SIDE; row++) {
         for (int column = 0; column < SIDE; column++)
             aim->cells[row][column + 1] = aim->cells[row][column] + (aim->cells[row][column + 1] + even) / total;
@@ -174,21 +175,33 @@ static int find_step(const double sums[SIDE + 1], double value, double *inside)
     return low;
 }
 
-double camera_aim_place(const struct camera_aim *aim, double u, double v, double place[2])
+/* Shares of the photons for each square metre: of those that go to the square, and of those that go anywhere, half of
+ * them within √3/2 of a side from its middle. */
+static double density_at(const struct camera_aim *aim, const double place[2])
 {
-    double cell = aim->size / SIDE, in_row, in_column;
-    int row = find_step(aim->rows, v * aim->rows[SIDE], &in_row);
-    int column = find_step(aim->cells[row], u * aim->cells[row][SIDE], &in_column);
-    place[0] = aim->x + (column + in_column) * cell;
-    place[1] = aim->z + (row + in_row) * cell;
-    return (aim->cells[row][column + 1] - aim->cells[row][column]) / (aim->rows[SIDE] * cell * cell);
+    double cell = aim->size / SIDE, scale = aim->size / 2, density = 0;
+    int column = cell_at(place[0], aim->x, aim->size), row = cell_at(place[1], aim->z, aim->size);
+    if (column >= 0 && row >= 0)
+        density = (aim->cells[row][column + 1] - aim->cells[row][column]) / (aim->rows[SIDE] * cell * cell);
+    double x = (place[0] - aim->x) / scale - 1, z = (place[1] - aim->z) / scale - 1;
+    double farther = pow(1 + x * x + z * z, -1.5) / (2 * M_PI * scale * scale);
+    return (1 - FARTHER) * density + FARTHER * farther;
 }
 
-bool camera_aim_covers(const struct camera_aim *aim, const struct camera_scene *scene, const double place[3], bool wet)
+double camera_aim_place(const struct camera_aim *aim, double u, double v, double place[2])
 {
-    double way[2];
-    if (scene->water.half <= SMALL)
-        return true;
-    way_back(scene, place, wet, way);
-    return cell_at(way[0], aim->x, aim->size) >= 0 && cell_at(way[1], aim->z, aim->size) >= 0;
+    double cell = aim->size / SIDE, scale = aim->size / 2;
+    if (v < FARTHER) {
+        double left = 1 - v / FARTHER, away = scale * sqrt(1 / (left * left) - 1), sine, cosine;
+        sine_cosine(u, &sine, &cosine);
+        place[0] = aim->x + scale + away * cosine;
+        place[1] = aim->z + scale + away * sine;
+    } else {
+        double in_row, in_column;
+        int row = find_step(aim->rows, (v - FARTHER) / (1 - FARTHER) * aim->rows[SIDE], &in_row);
+        int column = find_step(aim->cells[row], u * aim->cells[row][SIDE], &in_column);
+        place[0] = aim->x + (column + in_column) * cell;
+        place[1] = aim->z + (row + in_row) * cell;
+    }
+    return density_at(aim, place);
 }

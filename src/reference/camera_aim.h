@@ -1,8 +1,8 @@
 /* reference/camera_aim.h: on which water photons are worth sending to: that whose light is in the picture.
  *
  * Paths from the eye tell where the picture shows something; from there the sun's light is followed back to where it
- * would have met flat water. Places of the water are then drawn by how many such ways come from around them. The choice
- * changes the noise of a picture, not what it tends to. */
+ * would have met flat water. Places of the water are then drawn by how many such ways come from around them, and some
+ * from anywhere. The choice changes the noise of a picture, not what it tends to. */
 #ifndef REFERENCE_CAMERA_AIM_H
 #define REFERENCE_CAMERA_AIM_H
 
@@ -12,7 +12,7 @@
 #define CAMERA_AIM_SIDE 96 /* cells a side */
 
 struct camera_aim {
-    double x, z, size; /* m: corner and side of the square of water that photons are sent to */
+    double x, z, size; /* m: corner and side of the square of water that most photons are sent to */
     /* Sums of the cells' shares, row after row, and of the rows. */
     double cells[CAMERA_AIM_SIDE][CAMERA_AIM_SIDE + 1], rows[CAMERA_AIM_SIDE + 1];
 };
@@ -22,9 +22,5 @@ bool camera_aim_make(struct camera_aim *aim, const struct camera_scene *scene, c
 
 /* A place of the water for two numbers from 0 to 1; returns its density, 1/m². */
 double camera_aim_place(const struct camera_aim *aim, double u, double v, double place[2]);
-
-/* True where the sun's light, had the water been flat, would have come to a place over water that photons are sent to.
- */
-bool camera_aim_covers(const struct camera_aim *aim, const struct camera_scene *scene, const double place[3], bool wet);
 
 #endif

@@ -4,7 +4,7 @@
 #include "reference/camera_medium.h"
 #include "reference/camera_sun.h"
 
-#define MEETINGS 8     /* of one photon, after that with the water that it comes to first */
+#define FEW 0.25       /* share of its light below which a photon may end */
 #define ABOVE 100.0    /* m: no water is higher */
 #define REFLECTED 0.25 /* share of photons that are reflected where they first meet water */
 #define SIDES 0.25     /* share that goes to the sides of a block of water */
@@ -101,15 +101,26 @@ static void mark(struct camera_flight *flight, double length)
     flight->marks[flight->marked++] = photon_of(place, flight->direction, flux);
 }
 
+/* Through water to what was hit. True where the photon is scattered before. */
+static bool swim(struct camera_flight *flight, double length)
+{
+    const struct camera_water *water = &flight->scene->world.water;
+    double distance;
+    if (vector3_most(water->optics.scattering) > 0)
+        mark(flight, length);
+    if (!camera_medium_walk(water, length, &flight->draws, flight->flux, &distance))
+        return false;
+    vector3_along(flight->place, flight->direction, distance, flight->place);
+    camera_medium_turn(water->optics.anisotropy, &flight->draws, flight->direction);
+    return true;
+}
+
 /* On to whatever comes next. */
 static void step(struct camera_flight *flight)
 {
-    const struct camera_water *water = &flight->scene->world.water;
     struct camera_hit hit = camera_scene_hit(flight->scene, flight->place, flight->direction);
-    if (flight->wet && flight->marked < CAMERA_MARKS && vector3_most(water->optics.scattering) > 0)
-        mark(flight, hit.distance);
-    for (int c = 0; c < 3 && flight->wet; c++)
-        flight->flux[c] *= camera_medium_left(water, c, hit.distance);
+    if (flight->wet && swim(flight, hit.distance))
+        return;
     if (hit.what == CAMERA_WATER) {
         cross(flight, &hit, 0);
         return;
@@ -117,6 +128,16 @@ static void step(struct camera_flight *flight)
     flight->landed = hit.what == CAMERA_SOLID;
     flight->solid = photon_of(hit.position, hit.normal, flight->flux);
     vector3_scale(flight->flux, 0, flight->flux);
+}
+
+/* Ends photons that have lost most of their light, and lets those that go on stand for them. */
+static bool goes_on(struct camera_flight *flight, double begun)
+{
+    double chance = fmin(vector3_most(flight->flux) / (FEW * begun), 1);
+    if (!(chance > 0) || chance == 1)
+        return chance > 0;
+    vector3_scale(flight->flux, 1 / chance, flight->flux);
+    return draws_next(&flight->draws) < chance;
 }
 
 void camera_fly(struct camera_flight *flight, const struct camera_scene *scene, const struct camera_aim *aim,
@@ -133,7 +154,8 @@ void camera_fly(struct camera_flight *flight, const struct camera_scene *scene, 
         return;
     vector3_scale(flight->flux, 1 / (side ? sides : 1 - sides), flight->flux);
     vector3_scale(to_sun, -1, flight->direction);
+    double begun = vector3_most(flight->flux);
     cross(flight, &hit, REFLECTED);
-    for (int i = 0; i < MEETINGS && vector3_most(flight->flux) > 0; i++)
+    for (int i = 0; i < CAMERA_MEETINGS && goes_on(flight, begun); i++)
         step(flight);
 }

@@ -7,7 +7,7 @@
 #include "reference/draws.h"
 #include "reference/photon_tree.h"
 
-#define CAMERA_MARKS 4 /* most ways through water on which a photon leaves light */
+#define CAMERA_MEETINGS 64 /* most of one photon, after that with the water that it comes to first */
 
 /* A photon on its way, and what it leaves. */
 struct camera_flight {
@@ -20,7 +20,7 @@ struct camera_flight {
     bool landed;
     struct photon solid; /* where it has landed */
     int marked;
-    struct photon marks[CAMERA_MARKS];
+    struct photon marks[CAMERA_MEETINGS];
 };
 
 /* Sends the photon that the draws make; it carries the light of all. */

@@ -8,9 +8,9 @@
 #include "base/sine.h"
 #include "optics/phase.h"
 
+#define PIXELS 1.5          /* pixels over which light is gathered, from the middle on */
 #define MEETINGS_MAX 64     /* of anything, for one path */
 #define DIFFUSE_SPREAD 0.05 /* m of width that a path gains for each metre behind a solid */
-#define REFLECT_LEAST 0.25  /* share of paths from the eye that are reflected: glints are rare and bright */
 
 /* A path on its way. */
 struct state {
@@ -18,8 +18,10 @@ struct state {
     struct draws *draws;
     double place[3], direction[3], throughput[3], radiance[3];
     double width, spread; /* m, and what it gains a metre: of a pixel there */
-    bool wet, mirrored;   /* mirrored: nothing but water has been met */
-    int bounces, color;   /* the colour that is left after a prism's refraction; -1: all */
+    bool wet;
+    bool mirrored;      /* nothing but water has been met */
+    bool split;         /* water has been met, and the other way followed too */
+    int bounces, color; /* the colour that is left after a prism's refraction; -1: all */
 };
 
 static void add(struct state *state, const double radiance[3], double scale)
@@ -39,9 +41,9 @@ static void sunlight(struct state *state, const struct camera_hit *hit, double i
     camera_sun_place(path->scene, state->draws, to_sun);
     if (!state->wet && vector3_dot(to_sun, hit->normal) > 0 && vector3_dot(to_sun, hit->face) > 0)
         count += camera_sun_direct(path->scene, hit->position, to_sun, beams);
-    if (path->photons && camera_photons_cover(path->photons, hit->position, state->wet))
-        camera_photons_surface(path->photons, hit->position, hit->normal, fmax(state->width, path->solid_radius),
-                               irradiance);
+    if (path->photons)
+        camera_photons_surface(path->photons, hit->position, hit->normal,
+                               fmax(PIXELS * state->width, path->solid_radius), irradiance);
     else
         count += camera_sun_at_rest(path->scene, hit->position, state->wet, to_sun, beams + count);
     for (int i = 0; i < count; i++) {
@@ -59,8 +61,8 @@ static void add_shafts(struct state *state, double length)
     double distance, place[3], to_sun[3], light[3] = {0, 0, 0};
     double density = camera_medium_place(water, length, draws_next(state->draws), &distance);
     vector3_along(state->place, state->direction, distance, place);
-    if (path->photons && camera_photons_cover(path->photons, place, true)) {
-        double radius = fmax(state->width + state->spread * distance, path->water_radius);
+    if (path->photons) {
+        double radius = fmax(PIXELS * (state->width + state->spread * distance), path->water_radius);
         camera_photons_volume(path->photons, place, state->direction, radius, light);
     } else {
         struct camera_beam beams[CAMERA_BEAMS_MAX];
@@ -83,7 +85,8 @@ static bool swim(struct state *state, const struct camera_hit *hit)
 {
     const struct camera_water *water = &state->path->scene->world.water;
     double distance;
-    if (vector3_most(water->optics.scattering) > 0)
+    bool found = state->path->photons && !state->mirrored; /* photons that are scattered go on to where the path was */
+    if (vector3_most(water->optics.scattering) > 0 && !found)
         add_shafts(state, hit->distance);
     bool scattered = camera_medium_walk(water, hit->distance, state->draws, state->throughput, &distance);
     state->width += state->spread * distance;
@@ -121,20 +124,37 @@ static void roughen(struct state *state, struct camera_hit *hit)
     vector3_normalize(hit->normal);
 }
 
-/* Radiance in water is more by the square of the index, in as much smaller an angle (Straubel 1903). */
+/* On along one of the two ways. Radiance in water is more by the square of the index, in as much smaller an angle
+ * (Straubel 1903). */
+static void take_way(struct state *state, const struct camera_crossing *crossing, double ior, bool reflects,
+                     double scale)
+{
+    scale *= reflects ? 1 : crossing->wet ? ior * ior : 1 / (ior * ior);
+    vector3_scale(state->throughput, scale, state->throughput);
+    state->wet = crossing->wet == reflects;
+    vector3_copy(reflects ? crossing->reflected : crossing->refracted, state->direction);
+}
+
+static void follow(struct state *state);
+
+/* Where an eye sees water, both ways are followed; after that one of them by chance. */
 static void meet_water(struct state *state, struct camera_hit *hit)
 {
     roughen(state, hit);
     choose_color(state);
     double ior = state->path->scene->world.water.ior[state->color < 0 ? 1 : state->color];
     struct camera_crossing crossing = camera_crossing(hit, state->direction, ior);
-    double chance = state->mirrored ? fmax(crossing.reflectance, REFLECT_LEAST) : crossing.reflectance;
-    bool reflects = draws_next(state->draws) < chance;
-    double scale = reflects ? crossing.reflectance / chance : (1 - crossing.reflectance) / (1 - chance);
-    scale *= reflects ? 1 : crossing.wet ? ior * ior : 1 / (ior * ior);
-    vector3_scale(state->throughput, scale, state->throughput);
-    state->wet = crossing.wet == reflects;
-    vector3_copy(reflects ? crossing.reflected : crossing.refracted, state->direction);
+    if (state->mirrored && !state->split) {
+        state->split = true;
+        struct state mirrored = *state;
+        vector3_scale(mirrored.radiance, 0, mirrored.radiance);
+        take_way(&mirrored, &crossing, ior, true, crossing.reflectance);
+        follow(&mirrored);
+        vector3_along(state->radiance, mirrored.radiance, 1, state->radiance);
+        take_way(state, &crossing, ior, false, 1 - crossing.reflectance);
+    } else {
+        take_way(state, &crossing, ior, draws_next(state->draws) < crossing.reflectance, 1);
+    }
 }
 
 /* A direction as Lambert's law has it. */
@@ -204,6 +224,12 @@ static bool goes_on(struct state *state)
     return draws_next(state->draws) < chance;
 }
 
+static void follow(struct state *state)
+{
+    for (int i = 0; i < MEETINGS_MAX && goes_on(state); i++)
+        step(state);
+}
+
 void camera_path_radiance(const struct camera_path *path, const double origin[3], const double direction[3], bool wet,
                           struct draws *draws, double radiance[3])
 {
@@ -216,7 +242,6 @@ void camera_path_radiance(const struct camera_path *path, const double origin[3]
                           .color = -1};
     vector3_copy(origin, state.place);
     vector3_copy(direction, state.direction);
-    for (int i = 0; i < MEETINGS_MAX && goes_on(&state); i++)
-        step(&state);
+    follow(&state);
     vector3_copy(state.radiance, radiance);
 }

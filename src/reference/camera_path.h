@@ -1,9 +1,10 @@
 /* reference/camera_path.h: the light that comes along a ray from where it goes, found by following it backwards
  * (Kajiya 1986).
  *
- * At water a path is reflected or refracted by chance, in water it is scattered by chance, at something solid it goes
- * on in any direction. Light of the sun that has met water on its way to something solid, or to a place in the water,
- * is no path's to find: it is looked up among photons, or, where water is at rest, known in closed form. */
+ * The first water that a path meets reflects and refracts it, later water does one of the two by chance; in water it is
+ * scattered by chance, at something solid it goes on in any direction. Light of the sun that has met water on its way
+ * to something solid, or to a place in the water, is no path's to find: it is looked up among photons, or, where water
+ * is at rest, known in closed form. */
 #ifndef REFERENCE_CAMERA_PATH_H
 #define REFERENCE_CAMERA_PATH_H
 

@@ -9,6 +9,7 @@
 
 #define PHOTON 0x70686f746f6eu /* start of the photons' random numbers, not that of a pixel's */
 #define BLOCK 4096             /* photons that a thread sends together */
+#define MARKS 6                /* mean number of ways through water of the photons of a block that there is room for */
 #define FLATNESS 0.25          /* of the radius: how far off the plane of a surface photons still lie on it */
 #define SAME_SIDE 0.5          /* cosine between normals of what may be one surface */
 
@@ -17,7 +18,7 @@ bool camera_photons_begin(struct camera_photons *photons, const struct camera_sc
 {
     const struct camera_water *water = &scene->world.water;
     bool scatters = vector3_most(water->optics.scattering) > 0;
-    size_t solids = (size_t)count, marks = scatters ? solids * CAMERA_MARKS : 1;
+    size_t solids = (size_t)count, marks = scatters ? solids * MARKS : 1;
     *photons = (struct camera_photons){.scene = scene, .sent = water->half > 0 ? count : 0};
     photons->solids.photons = base_allocate(log, solids, sizeof *photons->solids.photons, "photons");
     photons->solids.axes = base_allocate(log, solids, 1, "photons");
@@ -46,7 +47,7 @@ static void send_block(struct camera_photons *photons, int block, uint64_t pass)
 {
     struct camera_block *sent = photons->blocks + block;
     struct photon *solids = photons->solids.photons + (size_t)block * BLOCK;
-    struct photon *marks = photons->water.photons + (size_t)block * BLOCK * CAMERA_MARKS;
+    struct photon *marks = photons->water.photons + (size_t)block * BLOCK * MARKS;
     int first = block * BLOCK, end = photons->sent < first + BLOCK ? photons->sent : first + BLOCK;
     *sent = (struct camera_block){0};
     for (int i = first; i < end; i++) {
@@ -55,7 +56,7 @@ static void send_block(struct camera_photons *photons, int block, uint64_t pass)
         camera_fly(&flight, photons->scene, &photons->aim, draws);
         if (flight.landed)
             solids[sent->solids++] = flight.solid;
-        for (int k = 0; k < flight.marked; k++)
+        for (int k = 0; k < flight.marked && sent->marks < (end - first) * MARKS; k++)
             marks[sent->marks++] = flight.marks[k];
     }
 }
@@ -72,18 +73,13 @@ void camera_photons_send(struct camera_photons *photons, uint64_t pass)
         const struct camera_block *sent = photons->blocks + block;
         const struct photon *from = solids->photons + (size_t)block * BLOCK;
         memmove(solids->photons + solids->count, from, (size_t)sent->solids * sizeof *from);
-        from = water->photons + (size_t)block * BLOCK * CAMERA_MARKS;
+        from = water->photons + (size_t)block * BLOCK * MARKS;
         memmove(water->photons + water->count, from, (size_t)sent->marks * sizeof *from);
         solids->count += sent->solids;
         water->count += sent->marks;
     }
     photon_tree_build(solids);
     photon_tree_build(water);
-}
-
-bool camera_photons_cover(const struct camera_photons *photons, const double place[3], bool wet)
-{
-    return camera_aim_covers(&photons->aim, photons->scene, place, wet);
 }
 
 /* Light that is gathered around a place. */
@@ -126,11 +122,27 @@ static void gather_in_water(void *user, const struct photon *photon)
         gathering->sum[c] += (double)photon->flux[c] * phase;
 }
 
+/* Share of a ball on one side of a plane that is `distance` radii from its middle, which is on that side. */
+static double ball_share(double distance)
+{
+    double away = fmin(fmax(distance, 0), 1);
+    return (1 + away) * (1 + away) * (2 - away) / 4;
+}
+
+/* How much of a ball is in the water: between the surface and the floor as they are straight above and below. */
+static double wet_share(const struct camera_scene *scene, const double place[3], double radius)
+{
+    double above = camera_tiles_height(&scene->water, place[0], place[2]) - place[1];
+    double below = place[1] + scene->world.depth - camera_tiles_height(&scene->floor, place[0], place[2]);
+    return ball_share(above / radius) * (scene->world.solids.floor > 0 ? ball_share(below / radius) : 1);
+}
+
 void camera_photons_volume(const struct camera_photons *photons, const double place[3], const double direction[3],
                            double radius, double radiance[3])
 {
     double anisotropy = photons->scene->world.water.optics.anisotropy;
     struct gathering gathering = {.place = place, .direction = direction, .radius = radius, .anisotropy = anisotropy};
     photon_tree_visit(&photons->water, place, radius, gather_in_water, &gathering);
-    vector3_scale(gathering.sum, 3 / (4 * M_PI * pow(radius, 3) * fmax(photons->sent, 1)), radiance);
+    double ball = 4 * M_PI / 3 * pow(radius, 3) * wet_share(photons->scene, place, radius);
+    vector3_scale(gathering.sum, 1 / (ball * fmax(photons->sent, 1)), radiance);
 }

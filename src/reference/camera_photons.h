@@ -1,9 +1,10 @@
 /* reference/camera_photons.h: the sun's light that has met water, as photons (Jensen 1996).
  *
  * A photon starts where the sun shines on the water, is reflected or refracted there and wherever it meets water again,
- * and ends at the first solid. In water that scatters it leaves some of its light at places on its way. Light at a
+ * is scattered in the water, and ends at the first solid. In water that scatters it leaves some of its light at places
+ * on its way. Light at a
  * place is then what the photons around it carry, over the area or the room in which they were counted: it is smeared
- * over that radius, and at an edge, where part of the disc is beyond it, too dark. */
+ * over that radius, and at a solid's edge, where part of the disc is beyond it, too dark. */
 #ifndef REFERENCE_CAMERA_PHOTONS_H
 #define REFERENCE_CAMERA_PHOTONS_H
 
@@ -32,9 +33,6 @@ void camera_photons_finish(struct camera_photons *photons);
 
 /* Sends all of them, others in each pass. */
 void camera_photons_send(struct camera_photons *photons, uint64_t pass);
-
-/* True where photons come to a place; elsewhere light over water at rest is to stand for them. */
-bool camera_photons_cover(const struct camera_photons *photons, const double place[3], bool wet);
 
 /* Irradiance on a surface of that normal, from a disc of that radius. */
 void camera_photons_surface(const struct camera_photons *photons, const double place[3], const double normal[3],

@@ -8,7 +8,6 @@
 struct camera_sight {
     double eye[3], ahead[3], right[3], up[3];
     int width, height; /* pixels */
-    int left, bottom;  /* of a larger picture that this is part of */
 };
 
 /* The unit vector of the ray through a place of the picture in pixels, from its left and lower edge. */

@@ -38,7 +38,8 @@ struct state {
     struct surface water;
     struct camera camera;
     uint64_t fingerprint; /* of what the picture shows */
-    float *radiance;
+    size_t pixels;        /* that there is room for */
+    float *radiance;      /* of the part that is drawn */
 };
 
 static uint64_t mix(uint64_t value, const void *bytes, size_t size)
@@ -64,6 +65,19 @@ static uint64_t mix_water(uint64_t value, const struct frame *frame)
     return mix(value, arrays, sizeof arrays);
 }
 
+/* All of the picture, of which parts may be drawn one after the other. */
+static struct camera_sight sight_of(const struct frame *frame)
+{
+    struct camera_sight sight = {.width = frame->view.width, .height = frame->view.height};
+    const struct camera_view whole = {sight.width, sight.height, 0, 0, sight.width, sight.height};
+    struct camera_rays rays = camera_rays(frame->camera, &whole);
+    memcpy(sight.eye, frame->camera->position, sizeof sight.eye);
+    memcpy(sight.ahead, rays.ahead, sizeof sight.ahead);
+    memcpy(sight.right, rays.right, sizeof sight.right);
+    memcpy(sight.up, rays.up, sizeof sight.up);
+    return sight;
+}
+
 /* A number that differs where a picture does: all values of the scene but how it is exposed. */
 static uint64_t fingerprint_of(const struct state *state, const struct frame *frame)
 {
@@ -71,9 +85,8 @@ static uint64_t fingerprint_of(const struct state *state, const struct frame *fr
     struct look look = *(const struct look *)frame->params;
     look.passes = 0; /* more of them go on from where the picture is */
     value = mix(mix(value, &frame->time, sizeof frame->time), &look, sizeof look);
-    value = mix(mix(value, frame->camera->position, sizeof frame->camera->position), &frame->view, sizeof frame->view);
-    struct camera_rays rays = camera_rays(frame->camera, &frame->view);
-    value = mix_water(mix(value, &rays, sizeof rays), frame);
+    struct camera_sight sight = sight_of(frame);
+    value = mix_water(mix(value, &sight, sizeof sight), frame);
     static const char *const sections[] = {"scene", "water", "sun", "sky", "floor", "current"};
     struct dpl_section section;
     for (int i = 0; (section = dpl_scene_section(frame->scene, i)).name; i++) {
@@ -120,15 +133,7 @@ static bool begin(struct state *state, const struct frame *frame)
     const struct dpl_log *log = frame->gl->log;
     const struct look *look = frame->params;
     const struct camera_settings settings = {look->bounces, look->photons, look->solid_radius, look->water_radius};
-    struct camera_sight sight = {.left = frame->view.left,
-                                 .bottom = frame->view.bottom,
-                                 .width = frame->view.columns,
-                                 .height = frame->view.rows};
-    struct camera_rays rays = camera_rays(frame->camera, &frame->view);
-    memcpy(sight.eye, frame->camera->position, sizeof sight.eye);
-    memcpy(sight.ahead, rays.ahead, sizeof sight.ahead);
-    memcpy(sight.right, rays.right, sizeof sight.right);
-    memcpy(sight.up, rays.up, sizeof sight.up);
+    const struct camera_sight sight = sight_of(frame);
     camera_finish(&state->camera);
     traced_world_finish(&state->traced);
     free(state->radiance);
@@ -141,6 +146,18 @@ static bool begin(struct state *state, const struct frame *frame)
            camera_begin(&state->camera, &state->traced.camera, &sight, &settings, log);
 }
 
+/* For the radiance of the part of the picture that is drawn. */
+static bool make_room(struct state *state, const struct frame *frame)
+{
+    size_t pixels = (size_t)frame->view.columns * (size_t)frame->view.rows;
+    if (state->radiance && pixels <= state->pixels)
+        return true;
+    free(state->radiance);
+    state->radiance = base_allocate(frame->gl->log, pixels * 4, sizeof *state->radiance, "picture");
+    state->pixels = state->radiance ? pixels : 0;
+    return state->radiance != NULL;
+}
+
 static bool prepare(void *state_, const struct frame *frame)
 {
     struct state *state = state_;
@@ -148,6 +165,8 @@ static bool prepare(void *state_, const struct frame *frame)
     if (!program_ready(gl, &state->copy, "gpu/copy.glsl", "") ||
         !optics_sky_make(&state->sky, &frame->scene->sky, &frame->scene->sun, gl->log) ||
         !world_build(&state->solids, frame->scene, gl->log))
+        return false;
+    if (!make_room(state, frame))
         return false;
     uint64_t fingerprint = fingerprint_of(state, frame);
     if (state->camera.sums && state->fingerprint == fingerprint)
@@ -175,10 +194,10 @@ static void draw(void *state_, const struct frame *frame)
     struct dpl_gl *gl = frame->gl;
     timer_pass(frame->timer, "paths");
     refine(state, frame);
-    camera_read(&state->camera, state->radiance);
+    const struct camera_view *view = &frame->view;
+    camera_read(&state->camera, view->left, view->bottom, view->columns, view->rows, state->radiance);
     timer_pass(frame->timer, "picture");
-    texture_resize(gl, &state->picture, GL_RGBA32F, state->camera.sight.width, state->camera.sight.height,
-                   TEXTURE_CLAMP, TEXTURE_NEAREST);
+    texture_resize(gl, &state->picture, GL_RGBA32F, view->columns, view->rows, TEXTURE_CLAMP, TEXTURE_NEAREST);
     texture_upload(gl, &state->picture, state->radiance);
     program_use(gl, &state->copy);
     texture_bind(gl, &state->picture, 0);

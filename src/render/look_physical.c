@@ -37,6 +37,16 @@ static bool update_layers(struct physical *physical, const struct frame *frame)
     return true;
 }
 
+static bool prepare_seas(struct physical *physical, struct dpl_gl *gl)
+{
+    static const char *const defines[SEA_KINDS] = {"#define ABOVE\n", "#define ABOVE\n#define MIRRORED\n", "",
+                                                   "#define PANE\n"};
+    for (int i = 0; i < SEA_KINDS; i++)
+        if (!program_ready(gl, physical->seas + i, "render/sea.glsl", defines[i]))
+            return false;
+    return true;
+}
+
 static bool prepare(void *state, const struct frame *frame)
 {
     struct physical *physical = state;
@@ -53,8 +63,8 @@ static bool prepare(void *state, const struct frame *frame)
            shadow_prepare(&physical->shadow, frame, physical) && solids_prepare(&physical->solids, gl) &&
            seabed_prepare(&physical->seabed, frame, &physical->world) && ambient_update(physical, frame) &&
            shafts_prepare(&physical->shafts, frame, &physical->quality) &&
-           program_ready(gl, &physical->backdrop, "render/backdrop.glsl", "") &&
-           program_ready(gl, &physical->sea, "render/sea.glsl", "") && waves_update(&physical->waves, frame);
+           program_ready(gl, &physical->backdrop, "render/backdrop.glsl", "") && prepare_seas(physical, gl) &&
+           waves_update(&physical->waves, frame);
 }
 
 /* What stands on one side of the surface, as a layer shows it. */
@@ -81,21 +91,21 @@ static void draw_backdrop(const struct physical *physical, const struct frame *f
     gl->Disable(GL_DEPTH_TEST);
 }
 
-/* The water's surface. `blind`: the layers do not show what is seen through it. */
-static void draw_sea(const struct physical *physical, const struct frame *frame, bool blind)
+static enum sea_kind sea_kind(const struct physical *physical)
+{
+    if (physical->sight.side < 0)
+        return physical->sight.pane ? SEA_PANE : SEA_BELOW;
+    return physical->world.high[1] > 0 ? SEA_MIRRORING : SEA_ABOVE;
+}
+
+static void draw_sea(const struct physical *physical, const struct frame *frame)
 {
     struct dpl_gl *gl = frame->gl;
-    const struct gpu_program *program = &physical->sea;
+    const struct gpu_program *program = physical->seas + sea_kind(physical);
     program_use(gl, program);
     physical_bind(physical, frame, program);
     physical_bind_layers(physical, frame, program);
-    program_int(gl, program, "blind", blind);
     program_int(gl, program, "look_ups", physical->quality.look_ups);
-    program_int(gl, program, "mirrored_there", physical->sight.side < 0 || physical->world.high[1] > 0);
-    if (physical->sight.pane) { /* it is drawn into this layer */
-        texture_bind(gl, &physical->layers[LAYER_DIRECT].color, UNIT_THROUGH_COLOR);
-        texture_bind(gl, &physical->layers[LAYER_DIRECT].depth, UNIT_THROUGH_DEPTH);
-    }
     gl->Enable(GL_DEPTH_TEST);
     rings_draw(&physical->rings, frame, program, frame->camera->position[1], HORIZON, waves_extent(frame));
     gl->Disable(GL_DEPTH_TEST);
@@ -112,7 +122,7 @@ static void draw_layers(const struct physical *physical, const struct frame *fra
     timer_pass(frame->timer, "through");
     draw_layer(physical, frame, LAYER_THROUGH, !in_water || pane);
     if (pane)
-        draw_sea(physical, frame, false);
+        draw_sea(physical, frame);
 }
 
 static void draw_sight(struct physical *physical, const struct frame *frame)
@@ -130,7 +140,7 @@ static void draw_sight(struct physical *physical, const struct frame *frame)
     gl->Enable(GL_SCISSOR_TEST);
     timer_pass(frame->timer, "sea");
     if (!physical->sight.pane)
-        draw_sea(physical, frame, false);
+        draw_sea(physical, frame);
     timer_pass(frame->timer, "backdrop");
     draw_backdrop(physical, frame);
     gl->Disable(GL_SCISSOR_TEST);
@@ -166,7 +176,8 @@ static void finish(void *state, struct dpl_gl *gl)
     for (int i = 0; i < LAYERS; i++)
         layer_finish(gl, physical->layers + i);
     program_finish(gl, &physical->backdrop);
-    program_finish(gl, &physical->sea);
+    for (int i = 0; i < SEA_KINDS; i++)
+        program_finish(gl, physical->seas + i);
 }
 
 const struct scene_look look_physical = {

@@ -77,14 +77,16 @@ struct shadow {
 };
 
 struct solids {
-    struct gpu_program program;
+    struct gpu_program programs[2]; /* of what is dry, of what is wet */
     GLuint array, vertices, ambient, indices;
     uint64_t fingerprint; /* of the world that is in the buffers */
     float (*heights)[2];  /* m, of each part: its lowest and its highest vertex */
 };
 
+enum seabed_kind { SEABED_DRY, SEABED_SAND, SEABED_PATTERN, SEABED_KINDS };
+
 struct seabed {
-    struct gpu_program program;
+    struct gpu_program programs[SEABED_KINDS];
     struct gpu_texture relief, ambient;
     double ambient_square[3]; /* m: least x and z, side */
     uint64_t fingerprint;
@@ -94,6 +96,9 @@ struct shafts {
     struct gpu_program program, smooth_program;
     struct gpu_texture raw, smooth, noise;
 };
+
+/* From above, with and without anything above the water to mirror; from below; through a pane. */
+enum sea_kind { SEA_ABOVE, SEA_MIRRORING, SEA_BELOW, SEA_PANE, SEA_KINDS };
 
 /* How the eye sees the water. */
 struct sight {
@@ -126,7 +131,7 @@ struct physical {
     struct seabed seabed;
     struct shafts shafts;
     struct gpu_layer layers[LAYERS];
-    struct gpu_program backdrop, sea;
+    struct gpu_program backdrop, seas[SEA_KINDS];
 
     /* Of this frame: */
     struct physical_light light;

@@ -1,4 +1,4 @@
-/* The light on a solid's surface, in the water and above it. */
+/* The light on a solid's surface: with WET, in the water; without, above it. */
 #include "light/map.glsl"
 #include "render/waves.glsl"
 #include "render/shadow.glsl"
@@ -11,14 +11,42 @@ uniform sampler2DArray reflected_texels;
 uniform vec3 reflected_window, reflected_step; /* as in light/map.glsl */
 uniform float reflected_height;                /* m, of the last layer; 0: there is no such light */
 
-/* The caustics at a point in the water, as irradiance in units of flat water's. */
+/* A layer shows what is in the water, or what is not; both a little beyond the surface, whose mesh is coarse far off. */
+bool layer_leaves_out(vec3 point)
+{
+    float slack = 0.01 + 0.004 * distance(point, eye);
+#ifdef WET
+    return !waves_wet(point, slack);
+#else
+    return waves_wet(point, -slack);
+#endif
+}
+
+#ifdef WET
+/* The caustics at a point in the water, as irradiance in units of flat water's. ON_FLOOR: by the map of the floor alone, along
+ * the light's way. */
 vec3 receiver_caustics(vec3 point)
 {
-    vec2 slant = tile_depth * sun_way.xz / (-sun_way.y * tile_size);
-    vec3 light = light_at_height(point.xz / tile_size + 0.5, 1.0 + point.y / tile_depth, slant);
+    vec2 slant = tile_depth * sun_way.xz / (-sun_way.y * tile_size), place = point.xz / tile_size + 0.5;
+#ifdef ON_FLOOR
+    vec3 light = light_at(place + slant * (1.0 + point.y / tile_depth));
+#else
+    vec3 light = light_at_height(place, 1.0 + point.y / tile_depth, slant);
+#endif
     return caustics != 0 ? light : vec3(1.0);
 }
 
+/* Radiance of a diffuse surface; `ambient` is its irradiance from all around, without what the water scatters out of
+ * the sun's beam. */
+vec3 receiver_radiance(vec3 point, vec3 normal, vec3 reflectance, vec3 ambient)
+{
+    float depth = max(-point.y, 0.0), facing = max(dot(normal, -sun_way), 0.0);
+    float lit = facing * shadow_light(point, normal, to_sun, facing > 0.0);
+    vec3 straight = volume_sun(depth), scattered = volume_scattered(depth, straight);
+    vec3 sun = sun_below * straight * lit * receiver_caustics(point);
+    return reflectance / SKY_PI * (sun + ambient + scattered * (0.5 + 0.5 * normal.y));
+}
+#else
 vec3 reflected_in_layer(vec2 place, float layer)
 {
     vec2 inside = (place - reflected_window.xy - layer * reflected_step.xy) / reflected_window.z;
@@ -45,21 +73,14 @@ vec3 receiver_above(vec3 point, vec3 normal, float lit)
     vec3 up_way = vec3(-to_sun.x, to_sun.y, -to_sun.z), light = receiver_reflected(point);
     vec3 origin = point - up_way * (max(point.y, 0.0) / up_way.y); /* on the water */
     float facing = max(-dot(normal, up_way), 0.0) / up_way.y;
-    vec3 thrown = vec3(0.0);
-    if (facing > 0.0 && waves_cover(origin.xz) && dot(sun_reflected, vec3(1.0)) > 0.0)
-        thrown = sun_reflected * light * facing * shadow_light(origin + vec3(0.0, 1e-3, 0.0), vec3(0.0), to_sun);
-    return sun_irradiance * lit * max(dot(normal, to_sun), 0.0) + thrown;
+    bool thrown = facing > 0.0 && waves_cover(origin.xz);
+    float shown = thrown ? shadow_light(origin + vec3(0.0, 1e-3, 0.0), vec3(0.0), to_sun, thrown) : 0.0;
+    return sun_irradiance * lit * max(dot(normal, to_sun), 0.0) + sun_reflected * light * facing * shown;
 }
 
-/* Radiance of a diffuse surface; `ambient` is its irradiance from all around, in the water without what that scatters
- * out of the sun's beam. */
-vec3 receiver_radiance(vec3 point, vec3 normal, vec3 reflectance, vec3 ambient, bool wet)
+vec3 receiver_radiance(vec3 point, vec3 normal, vec3 reflectance, vec3 ambient)
 {
-    float lit = shadow_light(point, normal, to_sun);
-    if (!wet)
-        return reflectance / SKY_PI * (receiver_above(point, normal, lit) + ambient);
-    float depth = max(-point.y, 0.0), facing = max(dot(normal, -sun_way), 0.0) * lit;
-    vec3 straight = volume_sun(depth), scattered = volume_scattered(depth, straight);
-    vec3 sun = sun_below * straight * facing * receiver_caustics(point);
-    return reflectance / SKY_PI * (sun + ambient + scattered * (0.5 + 0.5 * normal.y));
+    float lit = shadow_light(point, normal, to_sun, dot(normal, to_sun) > 0.0);
+    return reflectance / SKY_PI * (receiver_above(point, normal, lit) + ambient);
 }
+#endif

@@ -1,4 +1,5 @@
-/* The water's surface from either side: what it throws back and what it lets through.
+/* The water's surface: what it throws back and what it lets through. Seen from ABOVE, with or without anything above it that
+ * is MIRRORED; otherwise from below, by an eye in the water or through a PANE.
  *
  * The layers THROUGH and MIRROR hold both as flat water would show them. A wave's own ray meets what stands there at another
  * place, which is found by going on along the ray to the depth that the layer says, and looking there again. */
@@ -28,8 +29,6 @@ void main()
 uniform sampler2D direct_depth, through_color, through_depth, mirror_color, mirror_depth;
 uniform vec2 picture;         /* pixels */
 uniform int look_ups;         /* times that a layer is asked where a ray goes */
-uniform int mirrored_there;   /* 0: nothing stands on this side of the water */
-uniform int blind;            /* the layers do not show what is seen from here: open water, and the sky */
 uniform float tile_floor;     /* m, y of the floor */
 uniform vec3 floor_radiance;  /* of the floor where it is not in the picture */
 in vec3 position;
@@ -50,11 +49,12 @@ vec4 layer_color(sampler2D colors, sampler2D depths, int layer, vec3 ray, out fl
         float depth = texture(depths, place).r;
         vec3 sight = view_ray(place), shown = view_point(sight, depth, layer);
         way = depth < 1.0 ? clamp((shown.y - position.y) / ray.y, 0.0, planes.y) : planes.y;
-        if (i == look_ups)
+        if (i == look_ups + (layer == LAYER_MIRROR ? 1 : 0))
             return texture(colors, place);
         float before = view_plane(sight), share = clamp(before / (before + distance(shown, position)), 0.0, 1.0);
         vec2 next = view_place(view_apparent(position + ray * way, layer, share));
-        place = clamp(next.x < 0.0 ? place : next, vec2(0.0), vec2(1.0));
+        /* what leaves the picture comes in again, mirrored: that has no edge */
+        place = next == vec2(-1.0) ? place : clamp(1.0 - abs(1.0 - abs(next)), 0.0, 1.0);
     }
 }
 
@@ -88,23 +88,27 @@ vec3 open_water(vec3 ray)
     return behind * exp(-extinction * way) + volume_glow_surface(ray, way);
 }
 
-vec3 from_above(vec3 to_eye, vec3 normal, vec3 slope)
+#ifdef ABOVE
+vec3 thrown_and_let(vec3 to_eye, vec3 normal, vec3 slope)
 {
     float roughness = sqrt(0.5 * slope.z), way;
     vec3 back = optics_reflect(to_eye, normal), into = optics_refract(to_eye, normal, ior);
     back = normalize(vec3(back.x, abs(back.y) + 1e-3, back.z));
     float share = reflectance(max(dot(to_eye, normal), 0.0), ior, roughness);
-    vec4 mirrored = blind != 0 || mirrored_there == 0 ? vec4(0.0) : layer_color(mirror_color, mirror_depth, LAYER_MIRROR, back, way);
+#ifdef MIRRORED
+    vec4 mirrored = layer_color(mirror_color, mirror_depth, LAYER_MIRROR, back, way);
+#else
+    vec4 mirrored = vec4(0.0);
+#endif
     vec3 thrown = mirrored.rgb + (1.0 - mirrored.a) * sky_radiance(back, 2.0 * roughness);
     vec4 below = layer_color(through_color, through_depth, LAYER_THROUGH, into, way);
-    vec3 let = below.a > 0.0 && blind == 0 ? below.rgb * exp(-extinction * way) + volume_glow_surface(into, way) : open_water(into);
+    vec3 let = below.a > 0.0 ? below.rgb * exp(-extinction * way) + volume_glow_surface(into, way) : open_water(into);
     vec3 sparkle = glint(to_eye, slope.xy, slope.z);
-    if (max(max(sparkle.r, sparkle.g), sparkle.b) > 1e-4)
-        sparkle *= shadow_light(position, vec3(0.0), to_sun);
+    sparkle *= shadow_light(position, vec3(0.0), to_sun, max(max(sparkle.r, sparkle.g), sparkle.b) > 1e-4);
     return share * thrown + (1.0 - share) / (ior * ior) * let + sparkle;
 }
-
-vec3 from_below(vec3 to_eye, vec3 normal, vec3 slope)
+#else
+vec3 thrown_and_let(vec3 to_eye, vec3 normal, vec3 slope)
 {
     float roughness = sqrt(0.5 * slope.z), way;
     vec3 back = optics_reflect(to_eye, -normal), out_of;
@@ -113,19 +117,26 @@ vec3 from_below(vec3 to_eye, vec3 normal, vec3 slope)
     back.y = -abs(back.y);
     vec4 mirrored = layer_color(mirror_color, mirror_depth, LAYER_MIRROR, back, way);
     vec3 thrown = mirrored.a > 0.0 ? mirrored.rgb * exp(-extinction * way) + volume_glow_surface(back, way) : open_water(back);
-    vec4 above = pane != 0 ? vec4(0.0) : layer_color(through_color, through_depth, LAYER_THROUGH, out_of, way);
+    #ifdef PANE
+    vec4 above = vec4(0.0); /* the layer is that of the pane */
+#else
+    vec4 above = layer_color(through_color, through_depth, LAYER_THROUGH, out_of, way);
+#endif
     float blur = 0.33 * roughness + 1e-4;
     vec3 let = above.rgb + (1.0 - above.a) * (sky_radiance(out_of, blur) + sky_sun(out_of, blur));
     return share * thrown + (leaves ? (1.0 - share) * ior * ior * let : vec3(0.0));
 }
+#endif
 
 /* From where sight comes to the surface: the eye, or the pane. */
 vec3 sight_origin()
 {
-    if (pane == 0)
-        return eye;
+#ifdef PANE
     vec3 ray = view_ray(gl_FragCoord.xy / picture);
     return eye + ray * view_plane(ray);
+#else
+    return eye;
+#endif
 }
 
 void main()
@@ -140,10 +151,13 @@ void main()
     if (facing < 0.02)
         normal = normalize(normal + side * (0.02 - facing) * to_eye);
     float way = length(sight);
-    vec3 radiance = side > 0.0 ? from_above(to_eye, normal, slope) : from_below(to_eye, normal, slope);
-    if (side < 0.0 && pane == 0)
-        radiance = radiance * exp(-extinction * way) + volume_glow(eye, -to_eye, way) +
-                   shafts_read(gl_FragCoord.xy / picture, way);
+    vec3 radiance = thrown_and_let(to_eye, normal, slope);
+#ifndef ABOVE
+#ifndef PANE
+    radiance = radiance * exp(-extinction * way) + volume_glow(eye, -to_eye, way) +
+               shafts_read(gl_FragCoord.xy / picture, way);
+#endif
+#endif
     color = vec4(radiance, 1.0);
 }
 #endif

@@ -34,8 +34,11 @@ static bool upload_relief(struct seabed *seabed, const struct frame *frame, cons
 
 bool seabed_prepare(struct seabed *seabed, const struct frame *frame, const struct world *world)
 {
-    if (!program_ready(frame->gl, &seabed->program, "render/seabed.glsl", ""))
-        return false;
+    static const char *const defines[SEABED_KINDS] = {"#define PATTERN\n", "#define WET\n#define ON_FLOOR\n",
+                                                      "#define WET\n#define ON_FLOOR\n#define PATTERN\n"};
+    for (int i = 0; i < SEABED_KINDS; i++)
+        if (!program_ready(frame->gl, seabed->programs + i, "render/seabed.glsl", defines[i]))
+            return false;
     if (seabed->relief.name && seabed->fingerprint == world->fingerprint)
         return true;
     seabed->fingerprint = world->fingerprint;
@@ -46,12 +49,12 @@ void seabed_draw(const struct physical *physical, const struct frame *frame, enu
 {
     struct dpl_gl *gl = frame->gl;
     const struct dpl_scene *scene = frame->scene;
-    const struct gpu_program *program = &physical->seabed.program;
+    enum seabed_kind kind = !wet ? SEABED_DRY : scene->floor.pattern == WORLD_PLAIN ? SEABED_SAND : SEABED_PATTERN;
+    const struct gpu_program *program = physical->seabed.programs + kind;
     double height = frame->camera->position[1] + scene->settings.depth;
     program_use(gl, program);
     physical_bind(physical, frame, program);
     program_int(gl, program, "layer", (int)layer);
-    program_float(gl, program, "layer_wet", wet ? 1 : -1);
     program_int(gl, program, "pattern", scene->floor.pattern);
     program_float(gl, program, "pattern_size", scene->floor.pattern_size);
     program_vec3(gl, program, "pattern_joint", scene->floor.joint);
@@ -62,7 +65,8 @@ void seabed_draw(const struct physical *physical, const struct frame *frame, enu
 
 void seabed_finish(struct seabed *seabed, struct dpl_gl *gl)
 {
-    program_finish(gl, &seabed->program);
+    for (int i = 0; i < SEABED_KINDS; i++)
+        program_finish(gl, seabed->programs + i);
     texture_finish(gl, &seabed->relief);
     texture_finish(gl, &seabed->ambient);
 }

@@ -27,23 +27,22 @@ uniform vec3 ambient_square;     /* m: the least x and z, and the side, that it 
 uniform int pattern;            /* scene/pattern.glsl; plain: sand */
 uniform float pattern_size;
 uniform vec3 pattern_joint, floor_color;
-uniform float layer_wet;         /* 1: what is in the water is drawn, -1: what is not */
 in vec3 position;
 out vec4 color;
 
 void main()
 {
-    bool wet = waves_wet(position);
-    if (!waves_cover(position.xz) || wet != (layer_wet > 0.0))
+    if (!waves_cover(position.xz) || layer_leaves_out(position))
         discard;
     vec2 place = position.xz / relief_size + 0.5;
     vec2 slopes = texture(relief_texels, place).yz;
     vec3 normal = normalize(vec3(-slopes.x, 1.0, -slopes.y));
     vec2 width = fwidth(position.xz);
     vec3 reflectance = texture(sand, place).rgb;
-    if (pattern != PATTERN_PLAIN)
-        reflectance = pattern_color(pattern, pattern_size, pattern_joint, floor_color, position.xz, width);
+#ifdef PATTERN
+    reflectance = pattern_color(pattern, pattern_size, pattern_joint, floor_color, position.xz, width);
+#endif
     vec3 ambient = texture(floor_ambient, (position.xz - ambient_square.xy) / ambient_square.z).rgb;
-    color = vec4(receiver_radiance(position, normal, reflectance, ambient, wet), 1.0);
+    color = vec4(receiver_radiance(position, normal, reflectance, ambient), 1.0);
 }
 #endif

@@ -42,22 +42,23 @@ vec2 shadow_rise(vec3 normal, vec2 slant)
     return -normal.xz / max(facing, 0.15);
 }
 
-/* The share of the sun that a point sees. Points around its light's place, on a spiral of equal areas (Vogel 1979), ask
- * first how high what stands in the way is, then how much of the light it covers. */
-float shadow_light(vec3 point, vec3 normal, vec3 to_sun)
+/* The share of the sun that a point sees; 1 where that is not `asked`. Points around its light's place, on a spiral of
+ * equal areas (Vogel 1979), ask first how high what stands in the way is, then how much of the light it covers. A loop of no
+ * turns costs nothing where a device goes both ways of every condition. */
+float shadow_light(vec3 point, vec3 normal, vec3 to_sun, bool asked)
 {
     const mat2 turn = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688); /* by the golden angle */
-    if (shadow_span.y == 0.0)
-        return 1.0;
     float texel = max(shadow_square.z, shadow_square.w) / float(textureSize(shadow_heights, 0).x);
+    float most = shadow_span.x + shadow_span.y - point.y;
     vec2 rise = shadow_rise(normal, point.y > 0.0 ? to_sun.xz / to_sun.y : sun_way.xz / sun_way.y);
     vec2 place = (shadow_crossing(point, to_sun) - shadow_square.xy) / shadow_square.zw;
-    float most = shadow_span.x + shadow_span.y - point.y, angle = 6.2831853 * shadow_noise();
-    if (most <= 0.0 || any(lessThan(place, vec2(0.0))) || any(greaterThan(place, vec2(1.0))))
-        return 1.0;
-    float bias = point.y + texel * (1.0 + length(rise)), radius = max(shadow_radius(point, most), texel), covered = 0.0, heights = 0.0;
+    vec2 outside = abs(place - 0.5);
+    bool inside = asked && shadow_span.y > 0.0 && most > 0.0 && max(outside.x, outside.y) < 0.5;
+    float bias = point.y + texel * (1.0 + length(rise)), radius = max(shadow_radius(point, most), texel);
+    float angle = 6.2831853 * shadow_noise(), covered = 0.0, heights = 0.0;
     vec2 first = vec2(cos(angle), sin(angle)), direction = first;
-    for (int i = 0; i < 4; i++) {
+    int count = inside ? 4 : 0;
+    for (int i = 0; i < count; i++) {
         vec2 away = direction * sqrt((float(i) + 0.5) / 4.0) * radius;
         float height = shadow_height(place + away / shadow_square.zw);
         float hidden = step(bias + dot(rise, away), height);
@@ -65,12 +66,11 @@ float shadow_light(vec3 point, vec3 normal, vec3 to_sun)
         heights += hidden * height;
         direction = turn * direction;
     }
-    if (covered == 0.0)
-        return 1.0;
-    radius = max(shadow_radius(point, heights / covered - point.y), texel);
+    count = covered > 0.0 ? shadow_taps : 0;
+    radius = max(shadow_radius(point, heights / max(covered, 1.0) - point.y), texel);
     direction = first;
     covered = 0.0;
-    for (int i = 0; i < shadow_taps; i++) {
+    for (int i = 0; i < count; i++) {
         vec2 away = direction * sqrt((float(i) + 0.5) / float(shadow_taps)) * radius;
         covered += step(bias + dot(rise, away), shadow_height(place + away / shadow_square.zw));
         direction = turn * direction;

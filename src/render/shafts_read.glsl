@@ -14,7 +14,7 @@ vec3 shafts_read(vec2 place, float way)
         ivec2 corner = ivec2(i & 1, i >> 1);
         vec4 found = texelFetch(shafts_texels, clamp(ivec2(floor(texel)) + corner, ivec2(0), last), 0);
         vec2 weights = mix(1.0 - inside, inside, vec2(corner));
-        float weight = (weights.x * weights.y + 1e-3) / (0.05 * way + abs(found.a - way));
+        float weight = (weights.x * weights.y + 1e-3) / (1e-4 + 0.05 * way + abs(found.a - way));
         sum += weight * vec4(found.rgb, 1.0);
     }
     return sum.rgb / sum.a;

@@ -12,7 +12,7 @@ void main()
     for (int j = -2; j <= 2; j++) {
         for (int i = -2; i <= 2; i++) {
             vec4 found = texelFetch(shafts_texels, clamp(middle + ivec2(i, j), ivec2(0), last), 0);
-            float weight = exp(-0.25 * float(i * i + j * j)) / (0.05 * here.a + abs(found.a - here.a));
+            float weight = exp(-0.25 * float(i * i + j * j)) / (1e-4 + 0.05 * here.a + abs(found.a - here.a));
             sum += weight * vec4(found.rgb, 1.0);
         }
     }

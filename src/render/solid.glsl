@@ -23,7 +23,6 @@ void main()
 #else
 #include "render/receiver.glsl"
 #include "scene/pattern.glsl"
-uniform float layer_wet; /* 1: what is in the water is drawn, -1: what is not */
 uniform int two_sided;
 uniform int pattern; /* of the part: scene/world.h */
 uniform float pattern_size;
@@ -34,13 +33,12 @@ out vec4 color;
 
 void main()
 {
-    bool wet = waves_wet(position);
-    if (wet != (layer_wet > 0.0))
+    if (layer_leaves_out(position))
         discard;
     vec3 facing = normalize(normal);
     if (two_sided != 0 && dot(facing, eye - position) < 0.0)
         facing = -facing;
     vec3 reflectance = pattern_color(pattern, pattern_size, pattern_joint, base, place, fwidth(place));
-    color = vec4(receiver_radiance(position, facing, reflectance, ambient, wet), 1.0);
+    color = vec4(receiver_radiance(position, facing, reflectance, ambient), 1.0);
 }
 #endif

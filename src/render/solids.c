@@ -6,13 +6,12 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define WAVES 2.0f /* m that waves reach from the rest surface at most, where parts are left out by their height */
-
 enum { ATTRIBUTE_POSITION, ATTRIBUTE_NORMAL, ATTRIBUTE_COLOR, ATTRIBUTE_PLACE, ATTRIBUTE_SWAY, ATTRIBUTE_AMBIENT };
 
 bool solids_prepare(struct solids *solids, struct dpl_gl *gl)
 {
-    return program_ready(gl, &solids->program, "render/solid.glsl", "");
+    return program_ready(gl, solids->programs, "render/solid.glsl", "") &&
+           program_ready(gl, solids->programs + 1, "render/solid.glsl", "#define WET\n");
 }
 
 static void attribute(struct dpl_gl *gl, GLuint index, int channels, size_t stride, size_t offset)
@@ -89,19 +88,19 @@ static void draw_part(struct dpl_gl *gl, const struct world_part *part)
 void solids_draw(const struct physical *physical, const struct frame *frame, enum physical_layer layer, bool wet)
 {
     struct dpl_gl *gl = frame->gl;
-    const struct gpu_program *program = &physical->solids.program;
+    const struct gpu_program *program = physical->solids.programs + wet;
     const struct world *world = &physical->world;
     if (world->index_count == 0)
         return;
     program_use(gl, program);
     physical_bind(physical, frame, program);
     program_int(gl, program, "layer", (int)layer);
-    program_float(gl, program, "layer_wet", wet ? 1 : -1);
+    const float reach = (float)waves_reach(frame);
     gl->BindVertexArray(physical->solids.array);
     for (int i = 0; i < world->part_count; i++) {
         const struct world_part *part = world->parts + i;
         const float *heights = physical->solids.heights[i];
-        if (wet ? heights[0] > WAVES : heights[1] < -WAVES)
+        if (wet ? heights[0] > reach : heights[1] < -reach)
             continue;
         program_int(gl, program, "pattern", part->pattern);
         program_float(gl, program, "pattern_size", part->pattern_size);
@@ -122,7 +121,8 @@ void solids_cast(const struct solids *solids, struct dpl_gl *gl, const struct wo
 void solids_finish(struct solids *solids, struct dpl_gl *gl)
 {
     const GLuint buffers[] = {solids->vertices, solids->ambient, solids->indices};
-    program_finish(gl, &solids->program);
+    program_finish(gl, solids->programs);
+    program_finish(gl, solids->programs + 1);
     gl->DeleteVertexArrays(1, &solids->array);
     gl->DeleteBuffers(3, buffers);
     free(solids->heights);

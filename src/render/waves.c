@@ -1,5 +1,7 @@
 #include "render/waves.h"
 
+#include <math.h>
+
 #define WALL 0.005 /* m */
 
 enum { UNIT_SURFACE };
@@ -24,6 +26,23 @@ double waves_extent(const struct frame *frame)
 {
     const struct scene_settings *settings = &frame->scene->settings;
     return settings->edge != SCENE_EDGE_OPEN || !frame->above->periodic ? settings->size / 2 : 0;
+}
+
+/* From points all over the tile, and something for what lies between them. */
+double waves_reach(const struct frame *frame)
+{
+    enum { SIDE = 16 };
+    double x[SIDE * SIDE], z[SIDE * SIDE], height[SIDE * SIDE], slopes[2][SIDE * SIDE], shifts[2][SIDE * SIDE],
+        area[SIDE * SIDE], size = frame->scene->settings.size, reach = 0;
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        x[i] = ((i % SIDE + 0.5) / SIDE - 0.5) * size;
+        z[i] = ((i / SIDE + 0.5) / SIDE - 0.5) * size;
+    }
+    struct water_points points = {SIDE * SIDE, x, z, height, slopes[0], slopes[1], shifts[0], shifts[1], area};
+    water_sample(water_models[frame->scene->medium.model], frame->setup, frame->time, &points);
+    for (int i = 0; i < SIDE * SIDE; i++)
+        reach = fmax(reach, fabs(height[i]));
+    return 2 * reach + 0.05;
 }
 
 void waves_bind(const struct waves *waves, const struct frame *frame, const struct gpu_program *program, int unit)

@@ -20,8 +20,8 @@ bool waves_cover(vec2 xz)
     return waves_extent == 0.0 || max(abs(xz.x), abs(xz.y)) < waves_extent;
 }
 
-/* True where a point is in the water. */
-bool waves_wet(vec3 point)
+/* True where a point is in the water, by that many metres out of it, or into it where they are less than 0. */
+bool waves_wet(vec3 point, float slack)
 {
-    return (waves_extent == 0.0 || max(abs(point.x), abs(point.z)) < waves_wall) && point.y < waves_height(point.xz, 0.0);
+    return (waves_extent == 0.0 || max(abs(point.x), abs(point.z)) < waves_wall) && point.y < waves_height(point.xz, 0.0) + slack;
 }

@@ -183,13 +183,29 @@ bool dpl_scene_get(const struct dpl_scene *scene, const char *name, char *value,
            base_fail(scene->log, DPL_REASON_LIMIT, "%s: the value does not fit into %zu bytes", name, size);
 }
 
+/* Takes an object away; the others keep their order. */
+static bool remove_object(struct dpl_scene *scene, const char *name)
+{
+    int index = 0;
+    while (index < scene->object_count && strcmp(scene->object_names[index], name))
+        index++;
+    if (index == scene->object_count)
+        return false;
+    size_t after = (size_t)(--scene->object_count - index);
+    memmove(scene->objects + index, scene->objects + index + 1, after * sizeof *scene->objects);
+    memmove(scene->object_names + index, scene->object_names + index + 1, after * sizeof *scene->object_names);
+    param_defaults(scene_object_params, scene->objects + scene->object_count);
+    return true;
+}
+
 bool dpl_scene_remove(struct dpl_scene *scene, const char *section)
 {
     char accepted[VALUE_SIZE];
-    if (scene_numbered_mark(scene, section, false))
+    if (scene_numbered_mark(scene, section, false) || remove_object(scene, section))
         return true;
     scene_numbered_list(accepted, sizeof accepted);
-    return base_fail(scene->log, DPL_REASON_UNKNOWN_SECTION, "%.80s: cannot be taken away (accepted: %s)", section,
+    return base_fail(scene->log, DPL_REASON_UNKNOWN_SECTION,
+                     "%.80s: cannot be taken away (accepted: %s, the name of an object that is there)", section,
                      accepted);
 }
 
