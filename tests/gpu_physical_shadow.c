@@ -26,56 +26,64 @@ static double shadow_way(double elevation, double height)
     return height * tan(outside) + tan(physical_inside(outside));
 }
 
-/* The share of the floor's light that is left with the pole, at each pixel, of what is there without it. */
-static void draw_shares(struct physical_fixture *fixture, struct dpl_scene *scene, double shares[SIDE * SIDE])
+/* The share of the sun's light that the pole takes, at each pixel of the floor; the rest of the floor's light is what the
+ * water throws back. */
+static void draw_shadow(struct physical_fixture *fixture, struct dpl_scene *scene, double taken[SIDE * SIDE])
 {
     struct dpl_image *image = physical_radiance(fixture, scene, SIDE, SIDE);
-    double open = physical_floor(scene, 1);
+    double open = physical_floor(scene, 1), straight = 1 - scene->floor.color[1] * physical_thrown_back(0);
     for (int i = 0; i < SIDE * SIDE; i++)
-        shares[i] = (double)image->pixels[i * 3 + 1] / open;
+        taken[i] = (1 - (double)image->pixels[i * 3 + 1] / open) / straight;
     dpl_image_destroy(image);
 }
 
-/* The floor around the shadow's tip, from in the water: along the shadow it is dark up to the tip and bright beyond, across
- * it dark for the pole's width. Where half the light is left is the edge. */
+/* A square of the floor, 0.3 m wide and turned along the shadow, in whose middle its tip should be: its width, its middle
+ * and its end, of the area that is dark. Waves are taken to blur it by 2 cm, evenly to both sides; a texel of the shadow
+ * map is 2 mm, the steps of the light from all around 1 % of it. */
 static void check_tip(struct physical_fixture *fixture, struct dpl_scene *scene, int elevation, int azimuth)
 {
-    const double view = 0.4, ahead[2] = {-cos(azimuth * PHYSICAL_DEGREE), -sin(azimuth * PHYSICAL_DEGREE)};
-    double tip = shadow_way(elevation, HIGH) + WIDE / 2, shares[SIDE * SIDE];
+    const double view = 0.5, half = 0.15;
+    const double ahead[2] = {-cos(azimuth * PHYSICAL_DEGREE), -sin(azimuth * PHYSICAL_DEGREE)};
+    double tip = shadow_way(elevation, HIGH) + WIDE / 2, taken[SIDE * SIDE], end = 0, area = 0, middle = 0;
+    int inside = 0, all = 0;
     turn_to_sun(scene, elevation, azimuth);
     physical_look_down(scene, tip * ahead[0], tip * ahead[1], view);
-    draw_shares(fixture, scene, shares);
-    double dark = 0, middle = 0, along = 0, farthest = -1;
+    draw_shadow(fixture, scene, taken);
     for (int i = 0; i < SIDE * SIDE; i++) {
         double x = ((i % SIDE + 0.5) / SIDE - 0.5) * view, z = ((i / SIDE + 0.5) / SIDE - 0.5) * view;
         double beyond = x * ahead[0] + z * ahead[1], beside = z * ahead[0] - x * ahead[1];
-        if (beyond < -0.15 || beyond > 0.15 || fabs(beside) > 0.15)
+        if (fabs(beyond) > half || fabs(beside) > half)
             continue;
-        double weight = fmin(fmax(1 - shares[i], 0), 1) / SIDE * view / SIDE * view; /* m² of shadow */
-        dark += weight;
-        middle += weight * beside;
-        if (fabs(beside) < WIDE / 2 - 0.025)
-            along += weight;
-        (void)farthest;
+        all++;
+        area += taken[i];
+        middle += taken[i] * beside;
+        inside += fabs(beside) < WIDE / 4;
+        end += fabs(beside) < WIDE / 4 ? taken[i] : 0;
     }
-    /* whole shadow in the square: 0.15 long and WIDE wide */
-    print_message("sun %d %d: width %g of %g, middle %g, end %g\n", elevation, azimuth, dark / 0.15, WIDE, middle / dark,
-                  along / (WIDE - 0.05) - 0.15);
+    end = end / inside * 2 * half - half;
+    middle /= area;
+    double width = area / all * 4 * half;
+    print_message("sun %d %d: width %g, middle %g, end %g\n", elevation, azimuth, width, middle, end);
+    if (fabs(width - WIDE) > 0.005 || fabs(middle) > 0.004 || fabs(end) > 0.006)
+        fail_msg("sun at %d, %d degrees: the tip is %g m off, %g beside, %g wide", elevation, azimuth, end, middle, width);
 }
 
-/* From the pole's foot to the tip there is no gap in it. */
+/* From the pole's foot to the tip there is no gap in it: the middle of a wide one is all dark. */
 static void check_whole(struct physical_fixture *fixture, struct dpl_scene *scene, int elevation, int azimuth)
 {
-    const double ahead[2] = {-cos(azimuth * PHYSICAL_DEGREE), -sin(azimuth * PHYSICAL_DEGREE)};
-    double tip = shadow_way(elevation, HIGH) + WIDE / 2, shares[SIDE * SIDE], view = 2 * tip, most = 0;
+    const double ahead[2] = {-cos(azimuth * PHYSICAL_DEGREE), -sin(azimuth * PHYSICAL_DEGREE)}, wide = 0.16;
+    double tip = shadow_way(elevation, HIGH) + wide / 2, taken[SIDE * SIDE], view = 2.1 * tip;
+    support_set(scene, "object.pole.size", "%g 1.4 %g", wide, wide);
     turn_to_sun(scene, elevation, azimuth);
     physical_look_down(scene, tip * ahead[0], tip * ahead[1], view);
-    draw_shares(fixture, scene, shares);
-    for (double way = WIDE / 2 + view / SIDE; way < tip - 0.04; way += 0.01) {
-        int column = (int)floor(((way - tip) * ahead[0] / view + 0.5) * SIDE), row = (int)floor(((way - tip) * ahead[1] / view + 0.5) * SIDE);
-        most = fmax(most, shares[row * SIDE + column]);
+    draw_shadow(fixture, scene, taken);
+    for (double way = wide / 2; way < tip + 0.1; way += 0.01) {
+        int column = (int)(((way - tip) * ahead[0] / view + 0.5) * SIDE);
+        int row = (int)(((way - tip) * ahead[1] / view + 0.5) * SIDE);
+        double found = taken[row * SIDE + column], pixel = view / SIDE;
+        if ((way < tip - 0.03 - pixel && found < 0.9) || (way > tip + 0.03 + pixel && found > 0.05))
+            fail_msg("sun at %d, %d degrees, %g m of %g: %g of the light taken", elevation, azimuth, way, tip, found);
     }
-    print_message("whole %d %d: at most %g\n", elevation, azimuth, most);
 }
 
 static void check_poles(struct physical_fixture *fixture)

@@ -167,6 +167,19 @@ static inline void physical_ray(const struct dpl_scene *scene, const struct dpl_
     physical_normalize(ray);
 }
 
+/* The other way: the place of the picture where a point is seen straight. */
+static inline void physical_place(const struct dpl_scene *scene, const struct dpl_image *image, const double point[3],
+                                  double *x, double *y)
+{
+    double axes[3][3], away[3], high = tan(scene->camera.field_of_view / 2 * PHYSICAL_DEGREE);
+    physical_axes(scene, axes);
+    for (int c = 0; c < 3; c++)
+        away[c] = point[c] - scene->camera.position[c];
+    double ahead = physical_dot(away, axes[0]) * high;
+    *x = (image->width + physical_dot(away, axes[1]) / ahead * image->height) / 2;
+    *y = (1 - physical_dot(away, axes[2]) / ahead) * image->height / 2;
+}
+
 /* Degrees between two unit vectors. */
 static inline double physical_angle(const double a[3], const double b[3])
 {
