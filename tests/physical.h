@@ -58,7 +58,8 @@ static inline struct dpl_scene *physical_scene(struct physical_fixture *fixture,
     static const char base[] =
         "[scene]\nsize = 4\ndepth = 1\n[water]\nmodel = sines\nabsorption = 0 0 0\nscattering = 0 0 0\nroughness = 0\n"
         "[sun]\nelevation = 90\nazimuth = 0\nangular_radius = 0.05\n[sky]\nmodel = environment\nground = 0 0 0\n"
-        "[caustics]\nmap = 128\n[floor]\ncolor = 0.2 0.2 0.2\ncontrast = 0\n[render]\nlook = physical\nquality = low\n";
+        "[caustics]\nmap = 128\nerror = 5\n[floor]\ncolor = 0.2 0.2 0.2\ncontrast = 0\n[render]\nlook = "
+        "physical\nquality = low\n";
     char whole[4096];
     assert_true(snprintf(whole, sizeof whole, "%s%s", base, text) < (int)sizeof whole);
     struct dpl_scene *scene = support_scene(whole, &fixture->log.log);
