@@ -4,7 +4,7 @@
 
 #include "cli/options.h"
 
-#define DEFAULT_SCENE "rings"
+#define DEFAULT_SCENE "lagoon"
 
 struct command {
     const char *name;        /* NULL ends the table */

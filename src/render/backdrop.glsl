@@ -1,5 +1,5 @@
 /* Behind the water's surface: what is seen straight or through a pane, and the sky or the open water behind that. */
-#define SCREEN_DEPTH 0.999999 /* behind all that is drawn, where depth is tested */
+#define SCREEN_DEPTH 0.9999998 /* behind all that is drawn, where depth is tested */
 #include "gpu/screen.glsl"
 
 #ifdef FRAGMENT
@@ -25,11 +25,11 @@ bool meets_pane(vec3 ray, float way, out vec3 there)
     float to_pane = view_plane(ray);
     there = eye + ray * to_pane;
     vec2 beside = abs(there.xz - plane.xz * dot(there.xz, plane.xz));
-    return to_pane < way && max(beside.x, beside.y) < waves_extent && there.y > tile_floor && there.y < waves_height(there.xz, 0.0);
+    return to_pane < way && max(beside.x, beside.y) < waves_extent && there.y > tile_floor && there.y < waves_height(there.xz, 0.0) - 0.003;
 }
 
-/* The tank through its pane. */
-vec3 behind_pane(vec3 ray, vec3 there)
+/* The tank through its pane, and what is behind it. */
+vec3 behind_pane(vec3 ray, vec3 there, vec3 behind)
 {
     vec3 bent = view_bent(ray);
     vec4 found = texture(through_color, target);
@@ -37,7 +37,7 @@ vec3 behind_pane(vec3 ray, vec3 there)
     float way = depth < 1.0 ? max(view_way(depth, ray) - length(there - eye), 0.0) : 2.0 * waves_extent;
     float share = optics_fresnel_reflectance(cosine, ior);
     vec3 back = reflect(ray, plane.xyz);
-    vec3 inside = found.rgb + (1.0 - found.a) * ior * ior * sky_radiance(ray, 0.0);
+    vec3 inside = found.rgb + (1.0 - found.a) * ior * ior * behind;
     inside = inside * exp(-extinction * way) + volume_glow(there, bent, way) + shafts_read(target, way);
     return share * sky_radiance(back, 0.0) + (1.0 - share) / (ior * ior) * inside;
 }
@@ -50,7 +50,7 @@ void main()
     vec4 solid = texture(direct_color, target);
     float depth = texture(direct_depth, target).r, way = depth < 1.0 ? view_way(depth, ray) : planes.y;
     if (pane != 0)
-        color = vec4(meets_pane(ray, way, there) ? behind_pane(ray, there) : sky_behind(solid, ray), 1.0);
+        color = vec4(meets_pane(ray, way, there) ? behind_pane(ray, there, sky_behind(solid, ray)) : sky_behind(solid, ray), 1.0);
     else if (side > 0.0)
         color = vec4(sky_behind(solid, ray), 1.0);
     else

@@ -20,18 +20,18 @@ static const struct dpl_param params[] = {
 };
 
 static const struct quality qualities[] = {
-    {1024, 4, 12, 3, 2, 128, 1},
-    {2048, 8, 20, 2, 2, 256, 1},
-    {4096, 12, 32, 2, 1, 512, 2},
-    {4096, 24, 64, 1, 1, 1024, 3},
+    [SCENE_QUALITY_LOW] = {1024, 4, 12, 3, 0.5, 0.5, 128, 1},
+    [SCENE_QUALITY_MEDIUM] = {2048, 8, 20, 2, 0.75, 0.5, 256, 1},
+    [SCENE_QUALITY_HIGH] = {4096, 12, 32, 2, 1, 1, 512, 2},
+    [SCENE_QUALITY_ULTRA] = {4096, 24, 64, 1, 1, 1, 1024, 3},
 };
 
 static bool update_layers(struct physical *physical, const struct frame *frame)
 {
+    const double scales[LAYERS] = {1, physical->quality.through_scale, physical->quality.mirror_scale};
     for (int i = 0; i < LAYERS; i++) {
-        int share = i == LAYER_MIRROR ? physical->quality.mirror_share : 1;
-        if (!layer_resize(frame->gl, physical->layers + i, GL_RGBA16F, (frame->view.columns + share - 1) / share,
-                          (frame->view.rows + share - 1) / share))
+        int width = (int)ceil(scales[i] * frame->view.columns), height = (int)ceil(scales[i] * frame->view.rows);
+        if (!layer_resize(frame->gl, physical->layers + i, GL_RGBA16F, width, height))
             return false;
     }
     return true;

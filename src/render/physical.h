@@ -60,7 +60,8 @@ struct physical_light {
 /* How much work a picture is worth. */
 struct quality {
     int shadow_side, shadow_taps;
-    int shaft_steps, shaft_share, mirror_share; /* share: these layers' sides are the picture's, divided by it */
+    int shaft_steps, shaft_share;       /* share: the picture of shafts has its sides divided by it */
+    double through_scale, mirror_scale; /* of these layers' sides to the picture's */
     int ambient_rays, look_ups;
 };
 
@@ -80,7 +81,10 @@ struct solids {
     struct gpu_program programs[2]; /* of what is dry, of what is wet */
     GLuint array, vertices, ambient, indices;
     uint64_t fingerprint; /* of the world that is in the buffers */
-    float (*heights)[2];  /* m, of each part: its lowest and its highest vertex */
+    struct part_extent {
+        float low, high; /* m, of its vertices */
+        float edge;      /* m, its longest */
+    } * extents;         /* of each part */
 };
 
 enum seabed_kind { SEABED_DRY, SEABED_SAND, SEABED_PATTERN, SEABED_KINDS };
@@ -161,8 +165,8 @@ bool solids_prepare(struct solids *solids, struct dpl_gl *gl);
 bool solids_upload(struct solids *solids, struct dpl_gl *gl, const struct world *world, const float *ambient);
 /* Draws what is in the water (wet), or what is not, into a layer. */
 void solids_draw(const struct physical *physical, const struct frame *frame, enum physical_layer layer, bool wet);
-/* All parts that cast shadows, with the program in use. */
-void solids_cast(const struct solids *solids, struct dpl_gl *gl, const struct world *world);
+/* All parts that cast shadows from above the rest surface, or from below it, with the program in use. */
+void solids_cast(const struct solids *solids, struct dpl_gl *gl, const struct world *world, bool above);
 void solids_finish(struct solids *solids, struct dpl_gl *gl);
 
 bool seabed_prepare(struct seabed *seabed, const struct frame *frame, const struct world *world);

@@ -47,24 +47,19 @@ vec3 receiver_radiance(vec3 point, vec3 normal, vec3 reflectance, vec3 ambient)
     return reflectance / SKY_PI * (sun + ambient + scattered * (0.5 + 0.5 * normal.y));
 }
 #else
-vec3 reflected_in_layer(vec2 place, float layer)
-{
-    vec2 inside = (place - reflected_window.xy - layer * reflected_step.xy) / reflected_window.z;
-    return texture(reflected_texels, vec3(inside, layer)).rgb;
-}
-
 /* The same of light that the water throws up to a point above it; between layers along its way. */
 vec3 receiver_reflected(vec3 point)
 {
-    if (reflected_height == 0.0)
-        return vec3(1.0);
-    float count = float(textureSize(reflected_texels, 0).z), height = point.y / reflected_height * count - 1.0;
+    float count = float(textureSize(reflected_texels, 0).z), height = point.y / max(reflected_height, 1e-3) * count - 1.0;
     float layer = clamp(height, 0.0, count - 1.0), lower = floor(layer), upper = min(lower + 1.0, count - 1.0);
-    vec2 place = point.xz / tile_size + 0.5;
+    vec2 place = (point.xz / tile_size + 0.5 - reflected_window.xy) / reflected_window.z;
     vec2 slant = -to_sun.xz / to_sun.y * reflected_height / (count * tile_size); /* from a layer to the next */
-    vec3 below = reflected_in_layer(place - slant * (layer - lower), lower);
-    vec3 above = reflected_in_layer(place - slant * (layer - upper), upper);
-    return caustics != 0 ? mix(below, above, layer - lower) : vec3(1.0);
+    vec2 step_in = (slant - reflected_step.xy) / reflected_window.z, along_x = dFdx(place), along_y = dFdy(place);
+    vec2 below = place - slant / reflected_window.z * layer + step_in * lower;
+    vec2 above = place - slant / reflected_window.z * layer + step_in * upper;
+    vec3 light = mix(textureGrad(reflected_texels, vec3(below, lower), along_x, along_y).rgb,
+                     textureGrad(reflected_texels, vec3(above, upper), along_x, along_y).rgb, layer - lower);
+    return caustics != 0 && reflected_height > 0.0 ? light : vec3(1.0);
 }
 
 /* Irradiance from the sun on a surface in the air, straight and thrown back by the water. */

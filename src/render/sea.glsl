@@ -18,7 +18,7 @@ void main()
         xz = clamp(xz, vec2(-rings_extent), vec2(rings_extent));
     position = vec3(xz.x, waves_height(xz, log2(max(spacing / waves_spacing, 1.0))), xz.y);
     gl_Position = view_projection * vec4(pane != 0 ? view_through(position, -1.0) : position, 1.0);
-    gl_Position.z = min(gl_Position.z, 0.999999 * gl_Position.w); /* the horizon lies beyond the far plane */
+    gl_Position.z = min(gl_Position.z, 0.999998 * gl_Position.w); /* the horizon lies beyond the far plane */
 }
 #else
 #include "render/line.glsl"

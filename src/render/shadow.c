@@ -53,7 +53,7 @@ void shadow_draw(struct shadow *shadow, const struct frame *frame, const struct 
         const double *way = above ? physical->light.to_sun : physical->light.sun_way;
         program_vec2(gl, &shadow->cast, "slant", way[0] / way[1], way[2] / way[1]);
         program_float(gl, &shadow->cast, "above", above ? 1 : -1);
-        solids_cast(&physical->solids, gl, &physical->world);
+        solids_cast(&physical->solids, gl, &physical->world, above);
     }
     gl->Disable(GL_DEPTH_TEST);
 }

@@ -1,5 +1,6 @@
 /* Solids: rocks, plants, walls and what else the scene's objects are. */
 #include "render/view.glsl"
+#include "render/waves.glsl"
 
 uniform int layer;
 
@@ -10,6 +11,7 @@ layout(location = 3) in vec2 vertex_place;
 layout(location = 5) in vec3 vertex_ambient;
 out vec3 position, normal, base, ambient;
 out vec2 place;
+uniform float cut; /* m from the rest surface */
 
 void main()
 {
@@ -19,6 +21,14 @@ void main()
     ambient = vertex_ambient;
     place = vertex_place;
     gl_Position = view_projection * vec4(view_apparent(position, layer, -1.0), 1.0);
+    /* What lies so far on the other side that no triangle reaches over from it is put beyond the picture. */
+#ifdef WET
+    bool away = position.y > cut;
+#else
+    bool away = position.y < -cut && waves_extent == 0.0; /* beside bounded water, dry things stand as low */
+#endif
+    if (away)
+        gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
 }
 #else
 #include "render/receiver.glsl"

@@ -41,22 +41,34 @@ static void make_buffers(struct solids *solids, struct dpl_gl *gl)
     attribute(gl, ATTRIBUTE_AMBIENT, 3, 3 * sizeof(float), 0);
 }
 
-/* The heights that each part lies between. */
+static float edge_length(const struct world *world, const unsigned *corners, int k)
+{
+    const float *a = world->vertices[corners[k]].position, *b = world->vertices[corners[(k + 1) % 3]].position;
+    float square = 0;
+    for (int c = 0; c < 3; c++)
+        square += (a[c] - b[c]) * (a[c] - b[c]);
+    return sqrtf(square);
+}
+
+static struct part_extent measure_part(const struct world *world, const struct world_part *part)
+{
+    struct part_extent extent = {INFINITY, -INFINITY, 0};
+    for (int i = part->first; i < part->first + part->count; i++) {
+        float y = world->vertices[world->indices[i]].position[1];
+        extent.low = fminf(extent.low, y);
+        extent.high = fmaxf(extent.high, y);
+        extent.edge = fmaxf(extent.edge, edge_length(world, world->indices + (i - i % 3), i % 3));
+    }
+    return extent;
+}
+
 static bool measure_parts(struct solids *solids, const struct dpl_log *log, const struct world *world)
 {
-    free(solids->heights);
-    solids->heights = base_allocate(log, (size_t)world->part_count + 1, sizeof *solids->heights, "solids");
-    for (int p = 0; solids->heights && p < world->part_count; p++) {
-        float *heights = solids->heights[p];
-        heights[0] = INFINITY;
-        heights[1] = -INFINITY;
-        for (int i = world->parts[p].first; i < world->parts[p].first + world->parts[p].count; i++) {
-            float y = world->vertices[world->indices[i]].position[1];
-            heights[0] = fminf(heights[0], y);
-            heights[1] = fmaxf(heights[1], y);
-        }
-    }
-    return solids->heights != NULL;
+    free(solids->extents);
+    solids->extents = base_allocate(log, (size_t)world->part_count + 1, sizeof *solids->extents, "solids");
+    for (int p = 0; solids->extents && p < world->part_count; p++)
+        solids->extents[p] = measure_part(world, world->parts + p);
+    return solids->extents != NULL;
 }
 
 bool solids_upload(struct solids *solids, struct dpl_gl *gl, const struct world *world, const float *ambient)
@@ -96,12 +108,14 @@ void solids_draw(const struct physical *physical, const struct frame *frame, enu
     physical_bind(physical, frame, program);
     program_int(gl, program, "layer", (int)layer);
     const float reach = (float)waves_reach(frame);
+    bool endless = waves_extent(frame) == 0;
     gl->BindVertexArray(physical->solids.array);
     for (int i = 0; i < world->part_count; i++) {
         const struct world_part *part = world->parts + i;
-        const float *heights = physical->solids.heights[i];
-        if (wet ? heights[0] > reach : heights[1] < -reach)
+        const struct part_extent *extent = physical->solids.extents + i;
+        if (wet ? extent->low > reach : endless && extent->high < -reach)
             continue;
+        program_float(gl, program, "cut", reach + extent->edge);
         program_int(gl, program, "pattern", part->pattern);
         program_float(gl, program, "pattern_size", part->pattern_size);
         program_vec3(gl, program, "pattern_joint", part->joint);
@@ -110,12 +124,14 @@ void solids_draw(const struct physical *physical, const struct frame *frame, enu
     }
 }
 
-void solids_cast(const struct solids *solids, struct dpl_gl *gl, const struct world *world)
+void solids_cast(const struct solids *solids, struct dpl_gl *gl, const struct world *world, bool above)
 {
     gl->BindVertexArray(solids->array);
-    for (int i = 0; i < world->part_count; i++)
-        if (world->parts[i].casts)
+    for (int i = 0; i < world->part_count; i++) {
+        const struct part_extent *extent = solids->extents + i;
+        if (world->parts[i].casts && (above ? extent->high > 0 : extent->low < 0))
             draw_part(gl, world->parts + i);
+    }
 }
 
 void solids_finish(struct solids *solids, struct dpl_gl *gl)
@@ -125,6 +141,6 @@ void solids_finish(struct solids *solids, struct dpl_gl *gl)
     program_finish(gl, solids->programs + 1);
     gl->DeleteVertexArrays(1, &solids->array);
     gl->DeleteBuffers(3, buffers);
-    free(solids->heights);
+    free(solids->extents);
     *solids = (struct solids){0};
 }
