@@ -62,8 +62,7 @@ static void add_wall(struct world_builder *builder, const struct scene_object *o
                 object->color);
     piece_panel(builder, (double[3]){-side, 0, -z}, (double[3]){0, 0, z + front}, (double[3]){0, y, 0}, 0.25,
                 object->color);
-    piece_panel(builder, (double[3]){x, 0, back}, (double[3]){-2 * x, 0, 0}, (double[3]){0, y, 0}, 0.25,
-                object->color);
+    piece_panel(builder, (double[3]){x, 0, back}, (double[3]){-2 * x, 0, 0}, (double[3]){0, y, 0}, 0.25, object->color);
 }
 
 /* The coping's profile: heights and ways in z. Its underside rises from behind the wall's face to the nose, so that it
@@ -92,11 +91,11 @@ static void add_coping_end(struct world_builder *builder, const struct profile *
     unsigned corners[3];
     for (int i = 0; i < 3; i++) {
         const double at[3][2] = {{p->low, p->middle}, {p->nose, p->middle}, {p->nose, p->front}};
-        corners[i] = builder_vertex(
-            builder, &(struct world_vertex){.position = {(float)x, (float)at[i][0], (float)at[i][1]},
-                                            .normal = {x > 0 ? 1 : -1, 0, 0},
-                                            .color = {(float)color[0], (float)color[1], (float)color[2]},
-                                            .place = {(float)at[i][1], (float)at[i][0]}});
+        corners[i] =
+            builder_vertex(builder, &(struct world_vertex){.position = {(float)x, (float)at[i][0], (float)at[i][1]},
+                                                           .normal = {x > 0 ? 1 : -1, 0, 0},
+                                                           .color = {(float)color[0], (float)color[1], (float)color[2]},
+                                                           .place = {(float)at[i][1], (float)at[i][0]}});
     }
     builder_triangle(builder, corners[0], corners[x > 0 ? 1 : 2], corners[x > 0 ? 2 : 1]);
 }
