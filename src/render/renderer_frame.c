@@ -143,7 +143,8 @@ static bool draw_encoded(struct dpl_renderer *renderer, struct frame *frame)
 static bool draw_view(struct dpl_renderer *renderer, struct frame *frame, const struct camera_view *view)
 {
     const struct scene_render *render = &frame->scene->render;
-    bool linear = scene_looks[render->look]->linear;
+    /* the colours of a difference are what the screen shows */
+    bool linear = scene_looks[render->look]->linear && renderer->compare.mode != DPL_COMPARE_DIFFERENCE;
     int columns = view->columns, rows = view->rows;
     frame->view = *view;
     frame->target = linear ? &renderer->tone.radiance : &renderer->target;
