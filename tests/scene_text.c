@@ -325,11 +325,19 @@ static void expect_whole(struct fixture *fixture, struct dpl_scene *other)
     }
 }
 
+static const char *builtin_text(const char *name)
+{
+    const struct dpl_builtin_scene *scene = dpl_builtin_scenes();
+    while (strcmp(scene->name, name) != 0)
+        scene++;
+    return scene->text;
+}
+
 static void mutated_texts_never_leave_half_a_scene(void **state)
 {
     struct fixture *fixture = *state;
     struct dpl_scene *other = dpl_scene_create(NULL);
-    const char *seed = dpl_builtin_scenes()->text;
+    const char *seed = builtin_text("calm-pool"); /* short, so that some of its mutations are right */
     uint64_t random = 20220101;
     size_t size;
     int read = 0, refused = 0;
