@@ -58,7 +58,7 @@ static void check_energy(struct physical_fixture *fixture)
     struct dpl_scene *scene = physical_scene(fixture, waves);
     double thrown_back = scene->floor.color[1] * physical_thrown_back(0);
     physical_look_down(scene, 0, 0, 1);
-    for (int elevation = 5; elevation <= 90; elevation += 5) {
+    for (int elevation = 5; elevation <= 90; elevation += elevation < 20 ? 5 : 10) {
         support_set(scene, "sun.elevation", "%d", elevation);
         struct dpl_image *image = physical_radiance(fixture, scene, 64, 64);
         double flat = physical_floor(scene, 1), share = entering(elevation, 0), mean = physical_mean(image, 1);
