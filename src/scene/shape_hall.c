@@ -10,7 +10,7 @@
 #define WINDOWS_MAX 64
 #define SILL 0.08 /* of the height */
 #define LINTEL 0.84
-#define OVER 0.02 /* m that walls and ceiling reach through each other, and below the deck */
+#define OVER 0.02        /* m that walls and ceiling reach through each other, and below the deck */
 #define REVEAL 0.3       /* m, thickness of the wall with windows */
 #define BAR 0.05         /* m, of a window's bars */
 #define BEAM_SPACING 2.5 /* m, at most */
@@ -24,13 +24,13 @@ static void add_walls(struct world_builder *builder, const struct scene_object *
 {
     const double x = object->size[0], y = object->size[1], z = object->size[2];
     piece_panel_over(builder, (double[3]){-x / 2, 0, z / 2}, (double[3]){0, 0, -z}, (double[3]){0, y, 0}, OVER, cell,
-                object->color);
+                     object->color);
     piece_panel_over(builder, (double[3]){-x / 2, 0, -z / 2}, (double[3]){x, 0, 0}, (double[3]){0, y, 0}, OVER, cell,
-                object->color);
+                     object->color);
     piece_panel_over(builder, (double[3]){x / 2, 0, z / 2}, (double[3]){-x, 0, 0}, (double[3]){0, y, 0}, OVER, cell,
-                object->color);
+                     object->color);
     piece_panel_over(builder, (double[3]){-x / 2, y, -z / 2}, (double[3]){x, 0, 0}, (double[3]){0, 0, z}, OVER, cell,
-                object->second_color);
+                     object->second_color);
 }
 
 /* A part of the wall at +x, from z0 to z1 and y0 to y1, facing -x. */

@@ -62,8 +62,8 @@ static struct row inside_row(const struct scene_object *object, int j)
     return (struct row){.up = 0.02 + 0.98 * j / (ROWS - 1), .off = -THICKNESS * object->size[2], .color = wood_color};
 }
 
-/* One half's outside or inside, from the transom to the stem, as one smooth surface: no gaps, and at a lap's edge, where
- * one sees either the plank or what it hides, both look the same. */
+/* One half's outside or inside, from the transom to the stem, as one smooth surface: no gaps, and at a lap's edge,
+ * where one sees either the plank or what it hides, both look the same. */
 static void add_side(struct world_builder *builder, const struct scene_object *object, double half, bool inside)
 {
     const double *size = object->size;
@@ -119,6 +119,7 @@ static void add_timbers(struct world_builder *builder, const struct scene_object
     int points = 0;
     for (int i = 0; i < COLUMNS; i++)
         hull_point(object->size, (double)i / (COLUMNS - 1), 0, line[points++]);
+    line[0][0] -= 0.5 * thick; /* past the transom */
     for (int i = 1; i <= 24; i++)
         hull_point(object->size, 1, i / 24.0, line[points++]);
     piece_tube(builder, (const double(*)[3])line, points, thick, 10, trim_color);
