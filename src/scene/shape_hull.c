@@ -119,6 +119,7 @@ static void add_timbers(struct world_builder *builder, const struct scene_object
     int points = 0;
     for (int i = 0; i < COLUMNS; i++)
         hull_point(object->size, (double)i / (COLUMNS - 1), 0, line[points++]);
+    line[0][0] -= 0.5 * thick; /* past the transom */
     for (int i = 1; i <= 24; i++)
         hull_point(object->size, 1, i / 24.0, line[points++]);
     piece_tube(builder, (const double(*)[3])line, points, thick, 10, trim_color);

@@ -9,13 +9,29 @@
 #define COPING 0.3          /* m, height of its stones */
 #define COPING_NOSE 0.05    /* m before the wall */
 #define COPING_CELL 0.2     /* m */
-#define OVER 0.01           /* m that it stands before the wall's other sides */
+#define OVER 0.01           /* m before the wall's other sides */
+#define WALL_CELL 0.12      /* m */
 #define BOLLARD_SPACING 5.0 /* m */
 #define BOLLARD_HEIGHT 0.45 /* m */
 #define BOLLARDS_MAX 200
 #define ROUGHNESS 0.02 /* m that the face is in or out */
 
 static const double bollard_color[3] = {0.05, 0.05, 0.055};
+
+static double wall_front(const struct scene_object *object)
+{
+    return object->size[2] / 2 - fmin(COPING_NOSE, 0.1 * object->size[2]);
+}
+
+static double wall_side(const struct scene_object *object)
+{
+    return object->size[0] / 2 - fmin(OVER, 0.1 * object->size[0]);
+}
+
+static double coping_base(const struct scene_object *object)
+{
+    return fmax(object->size[1] - COPING, 0.5 * object->size[1]);
+}
 
 /* Pushes the vertices of a face in and out, less at its ends, and darkens what is low, where weed and wet are. */
 static void weather(struct world_builder *builder, const struct scene_object *object, int first_vertex, int first_index,
@@ -28,7 +44,7 @@ static void weather(struct world_builder *builder, const struct scene_object *ob
             place[c] = (double)vertex->position[c] * 1.7;
         double rough = noise_fractal(place, 4, (uint64_t)seed), stain = noise_fractal(place, 3, (uint64_t)seed + 50);
         double shade = fmin(fmax(0.55 + 0.6 * up + 0.35 * stain, 0.3), 1.1);
-        double inside = fmin(fmax(object->size[0] / 2 - fabs((double)vertex->position[0]), 0) / 0.5, 1);
+        double inside = fmin(fmax(wall_side(object) - fabs((double)vertex->position[0]), 0) / 0.5, 1);
         vertex->position[2] += (float)(ROUGHNESS * inside * rough);
         for (int c = 0; c < 3; c++)
             vertex->color[c] *= (float)fmin(shade * (c == 1 ? 1 : 0.94 + 0.06 * up), 1);
@@ -36,33 +52,28 @@ static void weather(struct world_builder *builder, const struct scene_object *ob
     builder_smooth(builder, first_vertex, first_index);
 }
 
-static double wall_front(const struct scene_object *object)
-{
-    return object->size[2] / 2 - fmin(COPING_NOSE, 0.1 * object->size[2]);
-}
-
-static double coping_base(const struct scene_object *object)
-{
-    return fmax(object->size[1] - COPING, 0.5 * object->size[1]);
-}
-
-/* Its sides reach through each other and into the coping. */
+/* Its sides share their vertices and reach into the coping. */
 static void add_wall(struct world_builder *builder, const struct scene_object *object, int seed)
 {
     const struct world_part blocks = piece_material(object, WORLD_BLOCKS);
-    const double x = object->size[0] / 2, z = object->size[2] / 2, front = wall_front(object), cell = 0.12;
-    const double y = (coping_base(object) + object->size[1]) / 2;
-    const double side = x - fmin(OVER, 0.1 * x), back = -z + fmin(OVER, 0.1 * z);
+    const double x = wall_side(object), front = wall_front(object);
+    const double back = -object->size[2] / 2 + fmin(OVER, 0.1 * object->size[2]);
+    const double up[3] = {0, (coping_base(object) + object->size[1]) / 2, 0}, *color = object->color;
     builder_part(builder, &blocks);
     int vertex = builder->vertex_count, index = builder->index_count;
-    piece_panel(builder, (double[3]){-x, 0, front}, (double[3]){2 * x, 0, 0}, (double[3]){0, y, 0}, cell,
-                object->color);
+    piece_panel(builder, (double[3]){-x, 0, front}, (double[3]){2 * x, 0, 0}, up, WALL_CELL, color);
     weather(builder, object, vertex, index, seed);
+<<<<<<< HEAD
     piece_panel(builder, (double[3]){side, 0, front}, (double[3]){0, 0, -z - front}, (double[3]){0, y, 0}, 0.25,
                 object->color);
     piece_panel(builder, (double[3]){-side, 0, -z}, (double[3]){0, 0, z + front}, (double[3]){0, y, 0}, 0.25,
                 object->color);
     piece_panel(builder, (double[3]){x, 0, back}, (double[3]){-2 * x, 0, 0}, (double[3]){0, y, 0}, 0.25, object->color);
+=======
+    piece_panel(builder, (double[3]){x, 0, front}, (double[3]){0, 0, back - front}, up, WALL_CELL, color);
+    piece_panel(builder, (double[3]){-x, 0, back}, (double[3]){0, 0, front - back}, up, WALL_CELL, color);
+    piece_panel(builder, (double[3]){x, 0, back}, (double[3]){-2 * x, 0, 0}, up, WALL_CELL, color);
+>>>>>>> wip-cracks
 }
 
 /* The coping's profile: heights and ways in z. Its underside rises from behind the wall's face to the nose, so that it
