@@ -64,7 +64,6 @@ static void low_frequencies_are_missing(void **state)
             values[j] = kept;
         }
         double white = low_power(values, 8);
-        print_message("threshold %d: blue %g white %g\n", threshold, blue, white);
         assert_true(fabs(white - 1) < 0.3); /* 196 waves, of which half are independent: 1 ± 0.1 */
         assert_true(blue < 0.1 * white);
     }

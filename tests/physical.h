@@ -58,7 +58,8 @@ static inline struct dpl_scene *physical_scene(struct physical_fixture *fixture,
     static const char base[] =
         "[scene]\nsize = 4\ndepth = 1\n[water]\nmodel = sines\nabsorption = 0 0 0\nscattering = 0 0 0\nroughness = 0\n"
         "[sun]\nelevation = 90\nazimuth = 0\nangular_radius = 0.05\n[sky]\nmodel = environment\nground = 0 0 0\n"
-        "[caustics]\nmap = 128\n[floor]\ncolor = 0.2 0.2 0.2\ncontrast = 0\n[render]\nlook = physical\nquality = low\n";
+        "[caustics]\nmap = 128\nerror = 5\n[floor]\ncolor = 0.2 0.2 0.2\ncontrast = 0\n[render]\nlook = "
+        "physical\nquality = low\n";
     char whole[4096];
     assert_true(snprintf(whole, sizeof whole, "%s%s", base, text) < (int)sizeof whole);
     struct dpl_scene *scene = support_scene(whole, &fixture->log.log);
@@ -165,6 +166,19 @@ static inline void physical_ray(const struct dpl_scene *scene, const struct dpl_
     for (int c = 0; c < 3; c++)
         ray[c] = axes[0][c] + across * axes[1][c] + upwards * axes[2][c];
     physical_normalize(ray);
+}
+
+/* The other way: the place of the picture where a point is seen straight. */
+static inline void physical_place(const struct dpl_scene *scene, const struct dpl_image *image, const double point[3],
+                                  double *x, double *y)
+{
+    double axes[3][3], away[3], high = tan(scene->camera.field_of_view / 2 * PHYSICAL_DEGREE);
+    physical_axes(scene, axes);
+    for (int c = 0; c < 3; c++)
+        away[c] = point[c] - scene->camera.position[c];
+    double ahead = physical_dot(away, axes[0]) * high;
+    *x = (image->width + physical_dot(away, axes[1]) / ahead * image->height) / 2;
+    *y = (1 - physical_dot(away, axes[2]) / ahead) * image->height / 2;
 }
 
 /* Degrees between two unit vectors. */

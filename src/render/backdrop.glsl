@@ -1,5 +1,5 @@
 /* Behind the water's surface: what is seen straight or through a pane, and the sky or the open water behind that. */
-#define SCREEN_DEPTH 0.999999 /* behind all that is drawn, where depth is tested */
+#define SCREEN_DEPTH 0.9999998 /* behind all that is drawn, where depth is tested */
 #include "gpu/screen.glsl"
 
 #ifdef FRAGMENT
@@ -25,7 +25,7 @@ bool meets_pane(vec3 ray, float way, out vec3 there)
     float to_pane = view_plane(ray);
     there = eye + ray * to_pane;
     vec2 beside = abs(there.xz - plane.xz * dot(there.xz, plane.xz));
-    return to_pane < way && max(beside.x, beside.y) < waves_extent && there.y > tile_floor && there.y < waves_height(there.xz, 0.0);
+    return to_pane < way && max(beside.x, beside.y) < waves_extent && there.y > tile_floor && there.y < waves_height(there.xz, 0.0) - 0.003;
 }
 
 /* The tank through its pane, and what is behind it. */

@@ -18,7 +18,7 @@ void main()
         xz = clamp(xz, vec2(-rings_extent), vec2(rings_extent));
     position = vec3(xz.x, waves_height(xz, log2(max(spacing / waves_spacing, 1.0))), xz.y);
     gl_Position = view_projection * vec4(pane != 0 ? view_through(position, -1.0) : position, 1.0);
-    gl_Position.z = min(gl_Position.z, 0.999999 * gl_Position.w); /* the horizon lies beyond the far plane */
+    gl_Position.z = min(gl_Position.z, 0.999998 * gl_Position.w); /* the horizon lies beyond the far plane */
 }
 #else
 #include "render/line.glsl"
@@ -34,6 +34,8 @@ uniform vec3 floor_radiance;  /* of the floor where it is not in the picture */
 in vec3 position;
 out vec4 color;
 
+const float DEPTHS_EXACT = 100.0; /* m: beyond, they tell the floor from the surface no more */
+
 /* The water's slope where the pixel is: the mean, and the variance of what is finer than the pixel. */
 vec3 slope_here()
 {
@@ -44,14 +46,19 @@ vec3 slope_here()
 /* What a ray from the surface meets, by a layer: radiance and coverage, and how far off it is. */
 vec4 layer_color(sampler2D colors, sampler2D depths, int layer, vec3 ray, out float way)
 {
-    vec2 place = gl_FragCoord.xy / picture;
+    vec2 place = gl_FragCoord.xy / picture, texels = vec2(textureSize(depths, 0));
     for (int i = 0;; i++) {
-        float depth = texture(depths, place).r;
-        vec3 sight = view_ray(place), shown = view_point(sight, depth, layer);
-        way = depth < 1.0 ? clamp((shown.y - position.y) / ray.y, 0.0, planes.y) : planes.y;
+        /* a depth holds for the middle of its texel: far off it is another one at the texel's edge */
+        ivec2 texel = ivec2(min(place * texels, texels - 1.0));
+        float depth = texelFetch(depths, texel, 0).r;
+        vec3 sight = view_ray((vec2(texel) + 0.5) / texels), shown = view_point(sight, depth, layer);
+        float before = view_plane(sight);
+        bool far_floor = layer == LAYER_THROUGH && side > 0.0 && before > DEPTHS_EXACT;
+        float level = far_floor ? tile_floor : shown.y;
+        way = depth < 1.0 ? clamp((level - position.y) / ray.y, 0.0, planes.y) : planes.y;
         if (i == look_ups + (layer == LAYER_MIRROR ? 1 : 0))
             return texture(colors, place);
-        float before = view_plane(sight), share = clamp(before / (before + distance(shown, position)), 0.0, 1.0);
+        float share = clamp(before / (before + distance(shown, position)), 0.0, 1.0);
         vec2 next = view_place(view_apparent(position + ray * way, layer, share));
         /* what leaves the picture comes in again, mirrored: that has no edge */
         place = next == vec2(-1.0) ? place : clamp(1.0 - abs(1.0 - abs(next)), 0.0, 1.0);

@@ -13,7 +13,7 @@ vec3 sky_radiance(vec3 direction, float spread)
     vec2 place = 0.5 + SKY_HORIZON * direction.xz / (1.0 + max(direction.y, 0.0));
     float level = log2(max(spread * SKY_HORIZON * float(textureSize(sky_texels, 0).x), 1.0));
     vec3 sky = textureLod(sky_texels, place, level).rgb;
-    return mix(ground_radiance, sky, smoothstep(-0.001 - spread, 0.001, direction.y));
+    return mix(ground_radiance, sky, smoothstep(-0.002 - spread, 0.0, direction.y));
 }
 
 /* Radiance of the sun's disc, blurred by `spread` radians. */

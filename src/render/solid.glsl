@@ -1,5 +1,6 @@
 /* Solids: rocks, plants, walls and what else the scene's objects are. */
 #include "render/view.glsl"
+#include "render/waves.glsl"
 
 uniform int layer;
 
@@ -24,7 +25,7 @@ void main()
 #ifdef WET
     bool away = position.y > cut;
 #else
-    bool away = position.y < -cut;
+    bool away = position.y < -cut && waves_extent == 0.0; /* beside bounded water, dry things stand as low */
 #endif
     if (away)
         gl_Position = vec4(0.0, 0.0, 2.0, 1.0);

@@ -108,11 +108,12 @@ void solids_draw(const struct physical *physical, const struct frame *frame, enu
     physical_bind(physical, frame, program);
     program_int(gl, program, "layer", (int)layer);
     const float reach = (float)waves_reach(frame);
+    bool endless = waves_extent(frame) == 0;
     gl->BindVertexArray(physical->solids.array);
     for (int i = 0; i < world->part_count; i++) {
         const struct world_part *part = world->parts + i;
         const struct part_extent *extent = physical->solids.extents + i;
-        if (wet ? extent->low > reach : extent->high < -reach)
+        if (wet ? extent->low > reach : endless && extent->high < -reach)
             continue;
         program_float(gl, program, "cut", reach + extent->edge);
         program_int(gl, program, "pattern", part->pattern);

@@ -20,8 +20,7 @@ static int panels_along(const double side[3], double cell)
     return (int)fmin(ceil(length / (cell * PANEL_CELLS)), PANELS_MAX);
 }
 
-/* The pattern goes on from face to face. */
-static void move_pattern(struct world_builder *builder, int first, double across, double up)
+void piece_move_pattern(struct world_builder *builder, int first, double across, double up)
 {
     for (int v = first; v < builder->vertex_count; v++) {
         builder->vertices[v].place[0] += (float)across;
@@ -48,9 +47,23 @@ void piece_panel(struct world_builder *builder, const double corner[3], const do
                 part_corner[c] = corner[c] + i * part_right[c] + j * part_up[c];
             }
             builder_face(builder, part_corner, part_right, part_up, cell, color);
-            move_pattern(builder, first, i * length_of(part_right), j * length_of(part_up));
+            piece_move_pattern(builder, first, i * length_of(part_right), j * length_of(part_up));
         }
     }
+}
+
+void piece_panel_over(struct world_builder *builder, const double corner[3], const double right[3], const double up[3],
+                      double over, double cell, const double color[3])
+{
+    double across = over / length_of(right), along = over / length_of(up), low[3], wide[3], high[3];
+    int first = builder->vertex_count;
+    for (int c = 0; c < 3; c++) {
+        low[c] = corner[c] - across * right[c] - along * up[c];
+        wide[c] = (1 + 2 * across) * right[c];
+        high[c] = (1 + 2 * along) * up[c];
+    }
+    piece_panel(builder, low, wide, high, cell, color);
+    piece_move_pattern(builder, first, -over, -over);
 }
 
 void piece_block(struct world_builder *builder, const double low[3], const double high[3], double cell,

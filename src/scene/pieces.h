@@ -11,6 +11,14 @@ struct world_part piece_material(const struct scene_object *object, int pattern)
 void piece_panel(struct world_builder *builder, const double corner[3], const double right[3], const double up[3],
                  double cell, const double color[3]);
 
+/* The same, but that it reaches `over` m beyond its edges, through what it meets there: faces that only touch let light
+ * through. Its pattern starts at the corner all the same. */
+void piece_panel_over(struct world_builder *builder, const double corner[3], const double right[3], const double up[3],
+                      double over, double cell, const double color[3]);
+
+/* Moves the pattern of what was built from vertex `first` on, m: so that it goes on from face to face. */
+void piece_move_pattern(struct world_builder *builder, int first, double across, double up);
+
 /* Adds the six sides of a block, seen from outside. */
 void piece_block(struct world_builder *builder, const double low[3], const double high[3], double cell,
                  const double color[3]);

@@ -9,6 +9,7 @@
 #define COPING_WIDTH 0.35  /* m */
 #define COPING_HEIGHT 0.06 /* m */
 #define COPING_NOSE 0.03   /* m that it reaches over the water */
+#define OVER 0.02          /* m that the walls reach behind the coping and below the floor */
 #define DECK_WIDTH 2.5     /* m */
 #define DECK_TILE 0.3      /* m */
 
@@ -22,18 +23,36 @@ struct side {
     bool corners;     /* what lies outside the wall goes on around the corners */
 };
 
-/* Adds a strip along the whole side, between two lines that each have a height and a way behind the wall. */
+/* Adds the part of a strip that begins at a way along the side, m from its middle. */
+static void add_part(struct world_builder *builder, const struct side *side, const double low[2], const double high[2],
+                     double begin, double length, double cell, const double color[3])
+{
+    const double corner[3] = {(side->out + low[1]) * side->x - begin * side->z, low[0],
+                              (side->out + low[1]) * side->z + begin * side->x};
+    const double right[3] = {-length * side->z, 0, length * side->x};
+    const double up[3] = {(high[1] - low[1]) * side->x, high[0] - low[0], (high[1] - low[1]) * side->z};
+    piece_panel(builder, corner, right, up, cell, color);
+}
+
+/* Adds a strip along the whole side, between two lines that each have a height and a way behind the wall. All are cut
+ * where others end at the corners, so that they share their vertices with those beside them. */
 static void add_strip(struct world_builder *builder, const struct side *side, const double low[2], const double high[2],
                       double cell, const double color[3])
 {
     double half = side->half;
     if (low[1] != 0 || high[1] != 0) /* as far as the strips of the sides with corners begin or end */
         half += side->corners ? high[1] : low[1];
-    const double corner[3] = {(side->out + low[1]) * side->x + half * side->z, low[0],
-                              (side->out + low[1]) * side->z - half * side->x};
-    const double right[3] = {-2 * half * side->z, 0, 2 * half * side->x};
-    const double up[3] = {(high[1] - low[1]) * side->x, high[0] - low[0], (high[1] - low[1]) * side->z};
-    piece_panel(builder, corner, right, up, cell, color);
+    const double nose = side->half - COPING_NOSE, deck = side->half + COPING_WIDTH;
+    const double cuts[6] = {-half, -deck, -nose, nose, deck, half};
+    double begin = -half;
+    for (int i = 1; i < 6; i++) {
+        if (cuts[i] <= begin || cuts[i] > half)
+            continue;
+        int first = builder->vertex_count;
+        add_part(builder, side, low, high, begin, cuts[i] - begin, cell, color);
+        piece_move_pattern(builder, first, begin + half, 0);
+        begin = cuts[i];
+    }
 }
 
 static double coping_base(const struct scene_object *object)
@@ -46,10 +65,13 @@ static void add_walls(struct world_builder *builder, const struct side *side, co
     const struct world_part tiles = piece_material(object, WORLD_TILES);
     double top = coping_base(object), tile = tiles.pattern_size;
     double band = fmax(floor((top - BAND) / tile + 0.5) * tile, 0); /* between two rows of tiles */
+    double behind = fmin(OVER, (object->size[1] - top) / 2);
+    int first = builder->vertex_count;
     builder_part(builder, &tiles);
-    if (band > 0)
-        add_strip(builder, side, (double[2]){0, 0}, (double[2]){band, 0}, builder_cell(10), object->color);
-    add_strip(builder, side, (double[2]){band, 0}, (double[2]){top, 0}, builder_cell(10), object->second_color);
+    add_strip(builder, side, (double[2]){-OVER, 0}, (double[2]){band, 0}, builder_cell(10), object->color);
+    piece_move_pattern(builder, first, 0, -OVER);
+    add_strip(builder, side, (double[2]){band, 0}, (double[2]){top + behind, 0}, builder_cell(10),
+              object->second_color);
 }
 
 static void add_coping(struct world_builder *builder, const struct side *side, const struct scene_object *object)

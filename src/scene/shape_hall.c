@@ -10,6 +10,7 @@
 #define WINDOWS_MAX 64
 #define SILL 0.08 /* of the height */
 #define LINTEL 0.84
+#define OVER 0.02        /* m that walls and ceiling reach through each other, and below the deck */
 #define REVEAL 0.3       /* m, thickness of the wall with windows */
 #define BAR 0.05         /* m, of a window's bars */
 #define BEAM_SPACING 2.5 /* m, at most */
@@ -22,25 +23,39 @@ static const double bar_color[3] = {0.2, 0.21, 0.22};
 static void add_walls(struct world_builder *builder, const struct scene_object *object, double cell)
 {
     const double x = object->size[0], y = object->size[1], z = object->size[2];
-    piece_panel(builder, (double[3]){-x / 2, 0, z / 2}, (double[3]){0, 0, -z}, (double[3]){0, y, 0}, cell,
-                object->color);
-    piece_panel(builder, (double[3]){-x / 2, 0, -z / 2}, (double[3]){x, 0, 0}, (double[3]){0, y, 0}, cell,
-                object->color);
-    piece_panel(builder, (double[3]){x / 2, 0, z / 2}, (double[3]){-x, 0, 0}, (double[3]){0, y, 0}, cell,
-                object->color);
-    piece_panel(builder, (double[3]){-x / 2, y, -z / 2}, (double[3]){x, 0, 0}, (double[3]){0, 0, z}, cell,
-                object->second_color);
+    piece_panel_over(builder, (double[3]){-x / 2, 0, z / 2}, (double[3]){0, 0, -z}, (double[3]){0, y, 0}, OVER, cell,
+                     object->color);
+    piece_panel_over(builder, (double[3]){-x / 2, 0, -z / 2}, (double[3]){x, 0, 0}, (double[3]){0, y, 0}, OVER, cell,
+                     object->color);
+    piece_panel_over(builder, (double[3]){x / 2, 0, z / 2}, (double[3]){-x, 0, 0}, (double[3]){0, y, 0}, OVER, cell,
+                     object->color);
+    piece_panel_over(builder, (double[3]){-x / 2, y, -z / 2}, (double[3]){x, 0, 0}, (double[3]){0, 0, z}, OVER, cell,
+                     object->second_color);
 }
 
 /* A part of the wall at +x, from z0 to z1 and y0 to y1, facing -x. */
 static void add_pier(struct world_builder *builder, const struct scene_object *object, const double z[2],
                      const double y[2], double cell)
 {
+    int first = builder->vertex_count;
     piece_panel(builder, (double[3]){object->size[0] / 2, y[0], z[0]}, (double[3]){0, 0, z[1] - z[0]},
                 (double[3]){0, y[1] - y[0], 0}, cell, object->color);
+    piece_move_pattern(builder, first, z[0] + object->size[2] / 2, y[0]);
 }
 
-/* The four inner sides of an opening. */
+/* That wall from z0 to z1: from below the deck to the sill, from there to the lintel if it is closed there, and on to
+ * behind the ceiling. Parts side by side share their vertices. */
+static void add_piers(struct world_builder *builder, const struct scene_object *object, double z0, double z1,
+                      bool closed, double cell)
+{
+    const double sill = SILL * object->size[1], lintel = LINTEL * object->size[1], z[2] = {z0, z1};
+    add_pier(builder, object, z, (double[2]){-OVER, sill}, cell);
+    if (closed)
+        add_pier(builder, object, z, (double[2]){sill, lintel}, cell);
+    add_pier(builder, object, z, (double[2]){lintel, object->size[1] + OVER}, cell);
+}
+
+/* The four inner sides of an opening. They share their vertices with each other and the wall. */
 static void add_reveal(struct world_builder *builder, const struct scene_object *object, const double z[2],
                        const double y[2], double cell)
 {
@@ -72,19 +87,19 @@ static void add_bars(struct world_builder *builder, const struct scene_object *o
 static void add_windows(struct world_builder *builder, const struct scene_object *object, double cell)
 {
     const double length = object->size[2];
-    const double sill = SILL * object->size[1], lintel = LINTEL * object->size[1], top = object->size[1];
     int count = (int)fmin(ceil(length / WINDOW_SPACING), WINDOWS_MAX);
-    double spacing = length / count, open = WINDOW_SHARE * spacing;
-    add_pier(builder, object, (double[2]){-length / 2, length / 2}, (double[2]){0, sill}, cell);
-    add_pier(builder, object, (double[2]){-length / 2, length / 2}, (double[2]){lintel, top}, cell);
+    double spacing = length / count, open = WINDOW_SHARE * spacing, end = -length / 2 - OVER;
     for (int w = 0; w < count; w++) {
-        double first = -length / 2 + w * spacing;
-        const double z[2] = {first + (spacing - open) / 2, first + (spacing + open) / 2}, y[2] = {sill, lintel};
-        add_pier(builder, object, (double[2]){first, z[0]}, y, cell);
-        add_pier(builder, object, (double[2]){z[1], first + spacing}, y, cell);
+        double middle = length * ((w + 0.5) / count - 0.5);
+        const double z[2] = {middle - open / 2, middle + open / 2};
+        const double y[2] = {SILL * object->size[1], LINTEL * object->size[1]};
+        add_piers(builder, object, end, z[0], true, cell);
+        add_piers(builder, object, z[0], z[1], false, cell);
         add_reveal(builder, object, z, y, cell);
         add_bars(builder, object, z, y);
+        end = z[1];
     }
+    add_piers(builder, object, end, length / 2 + OVER, true, cell);
 }
 
 /* Under the ceiling, from the wall with windows to the one across. */

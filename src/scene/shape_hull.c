@@ -7,7 +7,8 @@
 #include <math.h>
 
 #define STRAKES 9
-#define STRAKE_ROWS 4  /* of vertices */
+#define STRAKE_ROWS 5 /* of vertices: close together at the edges, which are rounded */
+#define ROWS (STRAKES * STRAKE_ROWS)
 #define COLUMNS 81     /* of vertices, from the transom to the stem */
 #define BOTTOM 4       /* strakes that are painted in the second colour */
 #define LAP 0.008      /* of the breadth: how far a strake stands out where it laps */
@@ -39,65 +40,75 @@ static void point_off(const double size[3], double along, double up, double off,
     point[2] = half * fmax(point[2], 1e-3 * up * size[2]); /* the halves do not cross */
 }
 
-/* Rows of vertices from the transom to the stem, between two heights and two ways off the surface; smooth. */
-static void add_band(struct world_builder *builder, const double size[3], const double up[2], const double off[2],
-                     int rows, double half, bool inside, const double color[3])
+/* A row of vertices along the hull's outside. Where a strake ends and the next begins, the planks lap. */
+struct row {
+    double up;  /* of the hull's surface */
+    double off; /* it, m */
+    const double *color;
+};
+
+static struct row outside_row(const struct scene_object *object, int j)
 {
+    static const double shares[STRAKE_ROWS] = {0, 0.12, 0.5, 0.85, 0.97}; /* of the strake's height */
+    int strake = j / STRAKE_ROWS;
+    double share = j + 1 < ROWS ? shares[j % STRAKE_ROWS] : 1;
+    return (struct row){.up = (strake + share) / STRAKES,
+                        .off = strake > 0 ? (1 - share) * LAP * object->size[2] : 0,
+                        .color = strake < BOTTOM ? object->second_color : object->color};
+}
+
+static struct row inside_row(const struct scene_object *object, int j)
+{
+    return (struct row){.up = 0.02 + 0.98 * j / (ROWS - 1), .off = -THICKNESS * object->size[2], .color = wood_color};
+}
+
+/* One half's outside or inside, from the transom to the stem, as one smooth surface: no gaps, and at a lap's edge,
+ * where one sees either the plank or what it hides, both look the same. */
+static void add_side(struct world_builder *builder, const struct scene_object *object, double half, bool inside)
+{
+    const double *size = object->size;
     int vertex = builder->vertex_count, index = builder->index_count;
     bool turned = inside == (half > 0);
-    for (int j = 0; j < rows; j++) {
+    for (int j = 0; j < ROWS; j++) {
+        const struct row row = inside ? inside_row(object, j) : outside_row(object, j);
         for (int i = 0; i < COLUMNS; i++) {
-            double share = (double)j / (rows - 1), point[3];
-            double along = (double)(turned ? COLUMNS - 1 - i : i) / (COLUMNS - 1);
-            double away = off[0] + share * (off[1] - off[0]), high = up[0] + share * (up[1] - up[0]);
-            point_off(size, along, high, away * fmin(1, 0.1 + 12 * fmin(along, 1 - along)), half, point);
-            struct world_vertex v = {.place = {(float)(size[0] * along), (float)(0.7 * size[2] * high)}};
+            double along = (double)(turned ? COLUMNS - 1 - i : i) / (COLUMNS - 1), point[3];
+            double ends = fmin(1, (inside ? 0.1 : 0) + 12 * fmin(along, 1 - along));
+            point_off(size, along, row.up, row.off * ends, half, point);
+            struct world_vertex v = {.place = {(float)(size[0] * along), (float)(0.7 * size[2] * row.up)}};
             for (int c = 0; c < 3; c++) {
                 v.position[c] = (float)point[c];
-                v.color[c] = (float)color[c];
+                v.color[c] = (float)row.color[c];
             }
             builder_vertex(builder, &v);
         }
     }
-    builder_grid(builder, (unsigned)vertex, COLUMNS, rows);
+    builder_grid(builder, (unsigned)vertex, COLUMNS, ROWS);
     builder_smooth(builder, vertex, index);
 }
 
-static void add_side(struct world_builder *builder, const struct scene_object *object, double half)
-{
-    const double *size = object->size, lap = LAP * size[2], inner = -THICKNESS * size[2];
-    for (int s = 0; s < STRAKES; s++) {
-        const double up[2] = {(double)s / STRAKES, (double)(s + 1) / STRAKES};
-        const double *color = s < BOTTOM ? object->second_color : object->color;
-        if (s > 0)
-            add_band(builder, size, (double[2]){up[0], up[0]}, (double[2]){0, lap}, 2, half, false, color);
-        add_band(builder, size, up, (double[2]){s > 0 ? lap : 0, 0}, STRAKE_ROWS, half, false, color);
-    }
-    add_band(builder, size, (double[2]){0.02, 1}, (double[2]){inner, inner}, 3 * STRAKES, half, true, wood_color);
-}
-
-/* The flat end at the stern, from the keel up, seen from outside, and `ahead` of that from inside. */
+/* The flat end at the stern, seen from outside, and `ahead` of that from inside. Its edges have the vertices of the
+ * sides; where these meet, the keel covers it. */
 static void add_transom(struct world_builder *builder, const struct scene_object *object, double ahead)
 {
-    const int rows = 2 * STRAKES + 1, columns = 9;
+    const int columns = 9;
     int vertex = builder->vertex_count, index = builder->index_count;
-    for (int j = 0; j < rows; j++) {
+    for (int j = 1; j < ROWS; j++) {
+        const struct row row = outside_row(object, j);
+        double point[3];
+        point_off(object->size, 0, row.up, 0, 1, point);
         for (int i = 0; i < columns; i++) {
-            double up = 0.02 + 0.98 * j / (rows - 1), across = 2.0 * i / (columns - 1) - 1, point[3];
-            hull_point(object->size, 0, up, point);
-            const double *color = ahead > 0                     ? wood_color
-                                  : j < rows * BOTTOM / STRAKES ? object->second_color
-                                                                : object->color;
+            double across = 2.0 * i / (columns - 1) - 1;
             struct world_vertex v = {.place = {(float)(across * point[2]), (float)point[1]}};
             v.position[0] = (float)(point[0] + ahead);
             v.position[1] = (float)point[1];
             v.position[2] = (float)(point[2] * (ahead > 0 ? -across : across));
             for (int c = 0; c < 3; c++)
-                v.color[c] = (float)color[c];
+                v.color[c] = (float)(ahead > 0 ? wood_color : row.color)[c];
             builder_vertex(builder, &v);
         }
     }
-    builder_grid(builder, (unsigned)vertex, columns, rows);
+    builder_grid(builder, (unsigned)vertex, columns, ROWS - 1);
     builder_smooth(builder, vertex, index);
 }
 
@@ -169,8 +180,8 @@ static bool build(struct world_builder *builder, const struct scene_object *give
     int first = builder->vertex_count;
     for (int c = 0; c < 3; c++)
         without.size[c] = fmax(given->size[c] - 2 * timber, 0.5 * given->size[c]);
-    add_side(builder, object, 1);
-    add_side(builder, object, -1);
+    for (int side = 0; side < 4; side++)
+        add_side(builder, object, side % 2 ? 1 : -1, side >= 2);
     add_transom(builder, object, 0);
     add_transom(builder, object, THICKNESS * object->size[2]);
     add_timbers(builder, object, timber);

@@ -8,6 +8,8 @@
 
 #define COPING 0.3          /* m, height of its stones */
 #define COPING_NOSE 0.05    /* m before the wall */
+#define COPING_CELL 0.2     /* m */
+#define OVER 0.01           /* m that it stands before the wall's other sides */
 #define BOLLARD_SPACING 5.0 /* m */
 #define BOLLARD_HEIGHT 0.45 /* m */
 #define BOLLARDS_MAX 200
@@ -34,22 +36,89 @@ static void weather(struct world_builder *builder, const struct scene_object *ob
     builder_smooth(builder, first_vertex, first_index);
 }
 
+static double wall_front(const struct scene_object *object)
+{
+    return object->size[2] / 2 - fmin(COPING_NOSE, 0.1 * object->size[2]);
+}
+
+static double coping_base(const struct scene_object *object)
+{
+    return fmax(object->size[1] - COPING, 0.5 * object->size[1]);
+}
+
+/* Its sides reach through each other and into the coping. */
 static void add_wall(struct world_builder *builder, const struct scene_object *object, int seed)
 {
     const struct world_part blocks = piece_material(object, WORLD_BLOCKS);
-    const double x = object->size[0], y = fmax(object->size[1] - COPING, 0.01), z = object->size[2];
-    const double front = z / 2 - COPING_NOSE, cell = 0.12;
+    const double x = object->size[0] / 2, z = object->size[2] / 2, front = wall_front(object), cell = 0.12;
+    const double y = (coping_base(object) + object->size[1]) / 2;
+    const double side = x - fmin(OVER, 0.1 * x), back = -z + fmin(OVER, 0.1 * z);
     builder_part(builder, &blocks);
     int vertex = builder->vertex_count, index = builder->index_count;
-    piece_panel(builder, (double[3]){-x / 2, 0, front}, (double[3]){x, 0, 0}, (double[3]){0, y, 0}, cell,
+    piece_panel(builder, (double[3]){-x, 0, front}, (double[3]){2 * x, 0, 0}, (double[3]){0, y, 0}, cell,
                 object->color);
     weather(builder, object, vertex, index, seed);
-    piece_panel(builder, (double[3]){x / 2, 0, front}, (double[3]){0, 0, -z / 2 - front}, (double[3]){0, y, 0}, 0.25,
+    piece_panel(builder, (double[3]){side, 0, front}, (double[3]){0, 0, -z - front}, (double[3]){0, y, 0}, 0.25,
                 object->color);
-    piece_panel(builder, (double[3]){-x / 2, 0, -z / 2}, (double[3]){0, 0, z / 2 + front}, (double[3]){0, y, 0}, 0.25,
+    piece_panel(builder, (double[3]){-side, 0, -z}, (double[3]){0, 0, z + front}, (double[3]){0, y, 0}, 0.25,
                 object->color);
-    piece_panel(builder, (double[3]){x / 2, 0, -z / 2}, (double[3]){-x, 0, 0}, (double[3]){0, y, 0}, 0.25,
-                object->color);
+    piece_panel(builder, (double[3]){x, 0, back}, (double[3]){-2 * x, 0, 0}, (double[3]){0, y, 0}, 0.25, object->color);
+}
+
+/* The coping's profile: heights and ways in z. Its underside rises from behind the wall's face to the nose, so that it
+ * is seen as the edge of a stone. */
+struct profile {
+    double low, nose, top, back, middle, front;
+};
+
+static struct profile coping_profile(const struct scene_object *object)
+{
+    const double low = coping_base(object), top = object->size[1], front = object->size[2] / 2;
+    return (struct profile){low, low + (top - low) / 3, top, -front, 2 * wall_front(object) - front, front};
+}
+
+/* One end, at x, facing outwards. */
+static void add_coping_end(struct world_builder *builder, const struct profile *p, double x, const double color[3])
+{
+    const double z[3] = {p->back, p->middle, p->front}, y[3] = {p->low, p->nose, p->top};
+    for (int i = 0; i < 3; i++) { /* all but that under the nose */
+        int column = i == 2, row = i > 0;
+        double width = z[column + 1] - z[column];
+        piece_panel(builder, (double[3]){x, y[row], x > 0 ? z[column + 1] : z[column]},
+                    (double[3]){0, 0, x > 0 ? -width : width}, (double[3]){0, y[row + 1] - y[row], 0}, COPING_CELL,
+                    color);
+    }
+    unsigned corners[3];
+    for (int i = 0; i < 3; i++) {
+        const double at[3][2] = {{p->low, p->middle}, {p->nose, p->middle}, {p->nose, p->front}};
+        corners[i] =
+            builder_vertex(builder, &(struct world_vertex){.position = {(float)x, (float)at[i][0], (float)at[i][1]},
+                                                           .normal = {x > 0 ? 1 : -1, 0, 0},
+                                                           .color = {(float)color[0], (float)color[1], (float)color[2]},
+                                                           .place = {(float)at[i][1], (float)at[i][0]}});
+    }
+    builder_triangle(builder, corners[0], corners[x > 0 ? 1 : 2], corners[x > 0 ? 2 : 1]);
+}
+
+/* Its faces share their vertices. */
+static void add_coping(struct world_builder *builder, const struct scene_object *object)
+{
+    const double x = object->size[0] / 2, *color = object->second_color;
+    const struct profile p = coping_profile(object);
+    const double line[8][2] = {{p.low, p.middle}, {p.nose, p.front}, {p.top, p.front}, {p.top, p.middle},
+                               {p.top, p.back},   {p.nose, p.back},  {p.low, p.back},  {p.low, p.middle}};
+    struct world_part stone = piece_material(object, WORLD_BLOCKS);
+    stone.pattern_size = COPING;
+    builder_part(builder, &stone);
+    for (int i = 0; i < 7; i++) {
+        int first = builder->vertex_count;
+        piece_panel(builder, (double[3]){-x, line[i][0], line[i][1]}, (double[3]){2 * x, 0, 0},
+                    (double[3]){0, line[i + 1][0] - line[i][0], line[i + 1][1] - line[i][1]}, COPING_CELL, color);
+        if (line[i][0] == p.top && line[i][1] == p.middle) /* the top goes on */
+            piece_move_pattern(builder, first, 0, p.front - p.middle);
+    }
+    add_coping_end(builder, &p, x, color);
+    add_coping_end(builder, &p, -x, color);
 }
 
 static void add_bollards(struct world_builder *builder, const struct scene_object *object)
@@ -70,12 +139,9 @@ static void add_bollards(struct world_builder *builder, const struct scene_objec
 
 static bool build(struct world_builder *builder, const struct scene_object *object, int seed)
 {
-    const double x = object->size[0] / 2, y = object->size[1], z = object->size[2] / 2;
-    struct world_part stone = piece_material(object, WORLD_BLOCKS), iron = stone;
+    struct world_part iron = piece_material(object, WORLD_BLOCKS);
     add_wall(builder, object, seed);
-    stone.pattern_size = COPING;
-    builder_part(builder, &stone);
-    piece_block(builder, (double[3]){-x, fmax(y - COPING, 0), -z}, (double[3]){x, y, z}, 0.2, object->second_color);
+    add_coping(builder, object);
     iron.pattern = WORLD_PLAIN;
     builder_part(builder, &iron);
     add_bollards(builder, object);
