@@ -229,6 +229,19 @@ refuses 2 'unknown flag: "--frames' compare --frames 2
 refuses 2 'one word too many' compare rings collard-2
 run 0 $no_gl "$dapple" compare $compared --technique multi-sample --json && json 'o["techniques"][0]["flip"] > 0'
 
+# --- compare: looks ---
+looks="rings --size 17x13 --map 32 --set look.path-traced.passes=1 --set look.path-traced.mesh=32"
+works compare $looks --look path-traced --set render.look=path-traced --json
+json 'o["look"] == o["against"] == "path-traced" and o["error"] == o["p99"] == o["flip"] == 0 and o["energy"] == 1'
+json 'o["width"] == 17 and o["height"] == 13 and o["output"] is None and o["seconds"] > 0 and o["against_seconds"] > 0'
+works compare $looks --look path-traced --set render.look=collard -o sheet.png
+says 'look            error %    p99 %   energy     FLIP         s' && holds sheet.png
+works compare $looks --look path-traced --set render.look=collard --json && json 'o["error"] > 0.1 and 0.01 < o["flip"] < 1'
+refuses 2 '--look: no such look: "magic" (accepted: ' compare --look magic -o sheet.png
+refuses 2 '--against: "coverage" (accepted: none where' compare --look physical --against coverage
+refuses 2 '--size: too small to compare: "3x9"' compare --look physical --size 3x9
+run 1 $no_gl "$dapple" compare $looks --look path-traced
+
 # --- videos ---
 if command -v ffmpeg >/dev/null && command -v ffprobe >/dev/null; then
     video='--size 64x48 --map 32 --fps 25'

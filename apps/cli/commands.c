@@ -57,18 +57,21 @@ const struct command commands[] = {
     {
         .name = "compare",
         .operand = "[SCENE]",
-        .help = "techniques against a reference: error, energy, difference to the eye, time",
+        .help = "techniques against a reference, or two looks: error, energy, difference to the eye, time",
         .more =
             "error is the relative root mean square sqrt(sum (E-R)^2 / sum R^2) over the map, the noise of the\n"
             "reference taken out; p99 the 99th percentile of |E-R| in units of the mean of R, noise and all; energy\n"
             "mean E / mean R. A technique without a physical scale is multiplied by the gain of least error first.\n"
             "FLIP (Andersson et al. 2020) is of the maps as the sheet shows them: 0 looks the same. ms is the time of\n"
             "water and light on this device. --technique may be repeated; without it all are compared. [reference]\n"
-            "says how exact the reference is made. OUT is a contact sheet: .png, .exr or .pfm.\n",
+            "says how exact the reference is made. OUT is a contact sheet: .png, .exr or .pfm.\n"
+            "With --look the scene's picture is compared with that of another look: error, p99 and energy are of\n"
+            "radiance, over means of 4 x 4 pixels; FLIP is of the pictures. Needs OpenGL.\n",
         .examples = {"compare shallows --map 256 --seconds 60 -o sheet.png",
-                     "compare my-pool.ini --technique multi-sample --set reference.photons=2000 --json"},
-        .flags = SCENE_FLAGS | FLAG_BIT(FLAG_AGAINST) | FLAG_BIT(FLAG_SECONDS) | FLAG_BIT(FLAG_OUTPUT) |
-                 FLAG_BIT(FLAG_TIME) | FLAG_BIT(FLAG_JSON) | FLAG_BIT(FLAG_QUIET),
+                     "compare reef-shafts --look path-traced --size 320x180 -o looks.png"},
+        .flags = SCENE_FLAGS | FLAG_BIT(FLAG_AGAINST) | FLAG_BIT(FLAG_LOOK) | FLAG_BIT(FLAG_SIZE) |
+                 FLAG_BIT(FLAG_SECONDS) | FLAG_BIT(FLAG_OUTPUT) | FLAG_BIT(FLAG_TIME) | FLAG_BIT(FLAG_JSON) |
+                 FLAG_BIT(FLAG_QUIET),
         .run = command_compare,
     },
     {

@@ -1,4 +1,4 @@
-/* `dapple compare`: techniques against a reference. */
+/* `dapple compare`: techniques against a reference; of looks: compare_looks.c. */
 #include "cli/compare.h"
 
 #include "cli/clock.h"
@@ -251,6 +251,8 @@ static bool run(struct compare *compare)
 
 bool command_compare(const struct options *options, struct program_log *log)
 {
+    if (options->look)
+        return compare_looks(options, log);
     struct compare compare = {0};
     bool ok = session_load(&compare.session, options, log) && run(&compare);
     for (int i = 0; i < compare.count; i++)

@@ -43,4 +43,7 @@ void compare_print_json(const struct compare *compare);
  * NULL on failure; the caller destroys it. */
 struct dpl_image *compare_sheet(const struct compare *compare);
 
+/* The other thing that the command does: pictures of two looks in place of maps. */
+bool compare_looks(const struct options *options, struct program_log *log);
+
 #endif

@@ -1,27 +1,24 @@
 /* The contact sheet of a comparison: the reference, then a row for each technique. */
-#include "cli/canvas.h"
 #include "cli/compare.h"
+#include "cli/sheet.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* Pixels. */
-#define MARGIN 24
+#define MARGIN SHEET_MARGIN
 #define SIDE 384  /* of a map */
 #define CURVE 580 /* width of the curves */
-#define BAR 16    /* width of the scale beside a difference */
-#define BAR_TEXT (9 * CANVAS_LETTER)
 #define DIFFERENCE_X (MARGIN + SIDE + MARGIN)
-#define CURVE_X (DIFFERENCE_X + SIDE + 8 + BAR + 8 + BAR_TEXT + MARGIN)
+#define CURVE_X (DIFFERENCE_X + SIDE + SHEET_SCALE + MARGIN)
 #define WIDTH (CURVE_X + CURVE + MARGIN)
 #define HEAD (2 * MARGIN + 3 * CANVAS_LINE)
 #define ROW (2 * CANVAS_LINE + SIDE + MARGIN)
 #define ROW_FAILED (2 * CANVAS_LINE)
 
-static canvas_color paper = {1, 1, 1}, ink = {0.1f, 0.1f, 0.1f}, faint = {0.75f, 0.75f, 0.75f};
+static canvas_color faint = {0.75f, 0.75f, 0.75f};
 static canvas_color grey = {0.55f, 0.55f, 0.55f}, red = {0.8f, 0.15f, 0.1f};
 
 struct sheet {
@@ -37,13 +34,6 @@ static double mean_of_channels(const struct dpl_image *image, size_t pixel)
 {
     const float *values = image->pixels + pixel * 3;
     return ((double)values[0] + values[1] + values[2]) / 3;
-}
-
-/* The next of 1, 2, 5, 10, … that is not less. */
-static double round_up(double value)
-{
-    double power = value > 0 ? pow(10, floor(log10(value))) : 1;
-    return value <= power ? power : value <= 2 * power ? 2 * power : value <= 5 * power ? 5 * power : 10 * power;
 }
 
 /* Row of the greatest sum, where what is shown as white counts as no brighter: one spot does not decide. */
@@ -74,18 +64,6 @@ static double read_line(const struct sheet *sheet, const struct dpl_image *map, 
     return most;
 }
 
-static void write_text(const struct sheet *sheet, int x, int y, const char *format, ...) DPL_PRINTF(4, 5);
-
-static void write_text(const struct sheet *sheet, int x, int y, const char *format, ...)
-{
-    char text[LOG_TEXT_SIZE];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    canvas_text(sheet->image, x, y, ink, text);
-}
-
 /* A map, and where the line of the curves runs. */
 static bool draw_map(const struct sheet *sheet, const struct dpl_image *map, double gain, int y)
 {
@@ -96,7 +74,7 @@ static bool draw_map(const struct sheet *sheet, const struct dpl_image *map, dou
     canvas_picture(shown, (struct box){0, 0, SIDE, SIDE}, map);
     compare_expose(sheet->compare, gain, shown);
     canvas_picture(sheet->image, box, shown);
-    canvas_frame(sheet->image, box, ink);
+    canvas_frame(sheet->image, box, sheet_ink);
     int line = y + (int)((sheet->line + 0.5) * SIDE / map->height);
     canvas_fill(sheet->image, (struct box){MARGIN - 12, line, 10, 2}, red);
     canvas_fill(sheet->image, (struct box){MARGIN + SIDE + 2, line, 10, 2}, red);
@@ -104,35 +82,19 @@ static bool draw_map(const struct sheet *sheet, const struct dpl_image *map, dou
     return true;
 }
 
-/* Colours from +range above to -range below. */
-static void draw_scale(const struct sheet *sheet, double range, int y)
-{
-    struct box bar = {DIFFERENCE_X + SIDE + 8, y, BAR, SIDE};
-    int text = bar.x + BAR + 8;
-    for (int j = 0; j < SIDE; j++) {
-        float color[3];
-        dpl_false_color(DPL_COLORS_DIFFERENCE, 1 - 2 * (j + 0.5) / SIDE, color);
-        canvas_fill(sheet->image, (struct box){bar.x, y + j, BAR, 1}, color);
-    }
-    canvas_frame(sheet->image, bar, ink);
-    write_text(sheet, text, y, "+%g", range);
-    write_text(sheet, text, y + SIDE / 2 - 7, "0");
-    write_text(sheet, text, y + SIDE - 16, "-%g", range);
-}
-
 static bool draw_difference(const struct sheet *sheet, const struct comparison *comparison, int y)
 {
     const struct dpl_log *log = &sheet->compare->session.log->log;
     const struct dpl_image *reference = sheet->compare->reference;
     struct box box = {DIFFERENCE_X, y, SIDE, SIDE};
-    double range = round_up(fmax(comparison->measure.p99, 1e-6));
+    double range = sheet_round_up(fmax(comparison->measure.p99, 1e-6));
     struct dpl_image *colors = dpl_measure_colors(comparison->map, reference, comparison->measure.gain,
                                                   range * sheet->mean, DPL_COLORS_DIFFERENCE, log);
     if (!colors)
         return false;
     canvas_picture(sheet->image, box, colors);
-    canvas_frame(sheet->image, box, ink);
-    draw_scale(sheet, range, y);
+    canvas_frame(sheet->image, box, sheet_ink);
+    sheet_scale(sheet->image, box, range);
     dpl_image_destroy(colors);
     return true;
 }
@@ -146,23 +108,23 @@ static void draw_curves(const struct sheet *sheet, const struct comparison *comp
     double top = read_line(sheet, reference, 1, sheet->curve);
     if (comparison)
         top = fmax(top, read_line(sheet, comparison->map, comparison->measure.gain, sheet->tried));
-    top = round_up(top);
+    top = sheet_round_up(top);
     for (int quarter = 1; quarter < 4; quarter++)
         canvas_fill(sheet->image, (struct box){CURVE_X, y + quarter * SIDE / 4, CURVE, 1}, faint);
     canvas_curve(sheet->image, box, grey, sheet->curve, reference->width, top);
     if (comparison)
         canvas_curve(sheet->image, box, red, sheet->tried, reference->width, top);
-    canvas_frame(sheet->image, box, ink);
+    canvas_frame(sheet->image, box, sheet_ink);
     snprintf(text, sizeof text, "%g", top);
-    write_text(sheet, CURVE_X - 6 - CANVAS_LETTER * (int)strlen(text), y, "%s", text);
-    write_text(sheet, CURVE_X - 6 - CANVAS_LETTER, y + SIDE - 16, "0");
+    sheet_text(sheet->image, CURVE_X - 6 - CANVAS_LETTER * (int)strlen(text), y, "%s", text);
+    sheet_text(sheet->image, CURVE_X - 6 - CANVAS_LETTER, y + SIDE - 16, "0");
 }
 
 static bool draw_reference(const struct sheet *sheet, int y)
 {
     const struct compare *compare = sheet->compare;
-    write_text(sheet, MARGIN, y, "%s: noise %.3g %%, made in %.3g s", compare->against.name, compare->noise * 100,
-               compare->seconds);
+    sheet_text(sheet->image, MARGIN, y, "%s: noise %.3g %%, made in %.3g s", compare->against.name,
+               compare->noise * 100, compare->seconds);
     draw_curves(sheet, NULL, y + CANVAS_LINE);
     return draw_map(sheet, compare->reference, 1, y + CANVAS_LINE);
 }
@@ -172,12 +134,12 @@ static bool draw_row(const struct sheet *sheet, const struct comparison *compari
     const struct dpl_measure *measure = &comparison->measure;
     char gain[32] = "";
     if (!comparison->map) {
-        write_text(sheet, MARGIN, y, "%s: not shown: %s", comparison->technique.name, comparison->failure);
+        sheet_text(sheet->image, MARGIN, y, "%s: not shown: %s", comparison->technique.name, comparison->failure);
         return true;
     }
     if (comparison->fitted)
         snprintf(gain, sizeof gain, ", after a gain of %.3g", measure->gain);
-    write_text(sheet, MARGIN, y, "%s: error %.3g %%, p99 %.3g %%, energy %.4f%s, FLIP %.4f, %.3g ms",
+    sheet_text(sheet->image, MARGIN, y, "%s: error %.3g %%, p99 %.3g %%, energy %.4f%s, FLIP %.4f, %.3g ms",
                comparison->technique.name, measure->error * 100, measure->p99 * 100, measure->energy, gain,
                comparison->flip, comparison->milliseconds);
     y += CANVAS_LINE;
@@ -188,19 +150,19 @@ static bool draw_row(const struct sheet *sheet, const struct comparison *compari
 static void draw_head(const struct sheet *sheet)
 {
     const struct session *session = &sheet->compare->session;
-    write_text(sheet, MARGIN, MARGIN, "dapple compare: scene %s at %g s, map %d x %d", session->scene_name,
+    sheet_text(sheet->image, MARGIN, MARGIN, "dapple compare: scene %s at %g s, map %d x %d", session->scene_name,
                session->options->time, sheet->compare->reference->width, sheet->compare->reference->height);
-    write_text(sheet, MARGIN, MARGIN + CANVAS_LINE,
+    sheet_text(sheet->image, MARGIN, MARGIN + CANVAS_LINE,
                "maps: 0 is black, %.3g is white; all values in units of the reference's mean",
                sheet->compare->white / sheet->mean);
-    write_text(sheet, MARGIN, MARGIN + 2 * CANVAS_LINE,
+    sheet_text(sheet->image, MARGIN, MARGIN + 2 * CANVAS_LINE,
                "differences: technique - reference; curves along the marked line: reference grey, technique red");
 }
 
 static bool draw_sheet(struct sheet *sheet)
 {
     const struct compare *compare = sheet->compare;
-    canvas_fill(sheet->image, (struct box){0, 0, sheet->image->width, sheet->image->height}, paper);
+    canvas_fill(sheet->image, (struct box){0, 0, sheet->image->width, sheet->image->height}, sheet_paper);
     draw_head(sheet);
     int y = HEAD;
     bool ok = draw_reference(sheet, y);

@@ -14,6 +14,7 @@ enum flag_id {
     FLAG_MAP,
     FLAG_TECHNIQUE,
     FLAG_AGAINST,
+    FLAG_LOOK,
     FLAG_SEED,
     FLAG_DEVICE,
     FLAG_BITS,

@@ -24,6 +24,7 @@ struct options {
     int setting_count;
     const char *output, *shaders; /* NULL: not given */
     const char *against;          /* name of a technique */
+    const char *look;             /* to compare with; NULL: not given */
     double time, fps, white, seconds;
     int frames; /* 0: not given */
     int slice;
