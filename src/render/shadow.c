@@ -4,7 +4,7 @@
 #include <math.h>
 
 /* The square of places that light to any part of the world passes, and the heights of what casts. */
-static void frame_world(struct shadow *shadow, const struct physical *physical)
+static void frame_world(struct shadow *shadow, const struct physical *physical, double depth)
 {
     const struct world *world = &physical->world;
     const double *to_sun = physical->light.to_sun, *sun_way = physical->light.sun_way;
@@ -27,13 +27,15 @@ static void frame_world(struct shadow *shadow, const struct physical *physical)
         shadow->square[a] = low[a] - margin;
         shadow->square[2 + a] = high[a] - low[a] + 2 * margin;
     }
-    shadow->span[0] = world->low[1] - 0.01;
-    shadow->span[1] = world->high[1] - world->low[1] + 0.02;
+    /* where nothing casts the map has its lowest height, which nothing that is lit lies below */
+    double lowest = fmin(world->low[1], -depth) - 2;
+    shadow->span[0] = lowest;
+    shadow->span[1] = world->high[1] - lowest + 0.01;
 }
 
 bool shadow_prepare(struct shadow *shadow, const struct frame *frame, const struct physical *physical)
 {
-    frame_world(shadow, physical);
+    frame_world(shadow, physical, frame->scene->settings.depth);
     int side = shadow->span[1] > 0 ? physical->quality.shadow_side : 1;
     return program_ready(frame->gl, &shadow->cast, "render/shadow_cast.glsl", "") &&
            layer_resize(frame->gl, &shadow->map, 0, side, side);

@@ -63,17 +63,9 @@ static void add_wall(struct world_builder *builder, const struct scene_object *o
     int vertex = builder->vertex_count, index = builder->index_count;
     piece_panel(builder, (double[3]){-x, 0, front}, (double[3]){2 * x, 0, 0}, up, WALL_CELL, color);
     weather(builder, object, vertex, index, seed);
-<<<<<<< HEAD
-    piece_panel(builder, (double[3]){side, 0, front}, (double[3]){0, 0, -z - front}, (double[3]){0, y, 0}, 0.25,
-                object->color);
-    piece_panel(builder, (double[3]){-side, 0, -z}, (double[3]){0, 0, z + front}, (double[3]){0, y, 0}, 0.25,
-                object->color);
-    piece_panel(builder, (double[3]){x, 0, back}, (double[3]){-2 * x, 0, 0}, (double[3]){0, y, 0}, 0.25, object->color);
-=======
     piece_panel(builder, (double[3]){x, 0, front}, (double[3]){0, 0, back - front}, up, WALL_CELL, color);
     piece_panel(builder, (double[3]){-x, 0, back}, (double[3]){0, 0, front - back}, up, WALL_CELL, color);
     piece_panel(builder, (double[3]){x, 0, back}, (double[3]){-2 * x, 0, 0}, up, WALL_CELL, color);
->>>>>>> wip-cracks
 }
 
 /* The coping's profile: heights and ways in z. Its underside rises from behind the wall's face to the nose, so that it
