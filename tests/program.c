@@ -13,7 +13,7 @@ struct fixture {
     char folder[64]; /* with subfolders gpu, light, … as the repository's src/ */
 };
 
-static const char *const subfolders[] = {"gpu", "light", "optics", "render", "water", NULL};
+static const char *const subfolders[] = {"gpu", "light", "optics", "render", "scene", "water", NULL};
 
 static void write_shader(const struct fixture *fixture, const char *name, const char *text)
 {

@@ -1,5 +1,20 @@
 #include "gpu/timer.h"
 
+#include <string.h>
+
+/* Passes of one name are one pass: a picture of several samples goes through them again. */
+static void add_time(struct gpu_timer *timer, const char *name, double milliseconds)
+{
+    int i = 0;
+    while (timer->times[i].name && strcmp(timer->times[i].name, name))
+        i++;
+    if (!timer->times[i].name) {
+        timer->times[i] = (struct dpl_pass_time){name, 0};
+        timer->times[i + 1].name = NULL;
+    }
+    timer->times[i].milliseconds += milliseconds;
+}
+
 /* Reads the answers of the slot's last use, if all of them have arrived. */
 static void collect_queries(struct gpu_timer *timer, const struct timer_frame *frame)
 {
@@ -8,12 +23,12 @@ static void collect_queries(struct gpu_timer *timer, const struct timer_frame *f
         timer->gl->GetQueryObjectuiv(frame->queries[frame->count - 1], GL_QUERY_RESULT_AVAILABLE, &ready);
     if (!ready)
         return;
+    timer->times[0].name = NULL;
     for (int i = 0; i < frame->count; i++) {
         GLuint nanoseconds = 0;
         timer->gl->GetQueryObjectuiv(frame->queries[i], GL_QUERY_RESULT, &nanoseconds);
-        timer->times[i] = (struct dpl_pass_time){frame->names[i], nanoseconds * 1e-6};
+        add_time(timer, frame->names[i], nanoseconds * 1e-6);
     }
-    timer->times[frame->count].name = NULL;
 }
 
 void timer_frame(struct gpu_timer *timer)
@@ -28,6 +43,8 @@ void timer_frame(struct gpu_timer *timer)
             timer->gl->GenQueries(TIMER_PASSES_MAX, frame->queries);
     }
     frame->count = 0;
+    if (timer->timing == DPL_TIMING_WAIT)
+        timer->times[0].name = NULL;
 }
 
 static double finished_now(struct gpu_timer *timer)
@@ -39,13 +56,11 @@ static double finished_now(struct gpu_timer *timer)
 
 static void end_pass(struct gpu_timer *timer, struct timer_frame *frame)
 {
-    int index = frame->count - 1;
-    if (timer->timing == DPL_TIMING_QUERIES) {
+    timer->running = false;
+    if (timer->timing == DPL_TIMING_QUERIES)
         timer->gl->EndQuery(GL_TIME_ELAPSED);
-        return;
-    }
-    timer->times[index] = (struct dpl_pass_time){frame->names[index], (finished_now(timer) - timer->started) * 1e3};
-    timer->times[index + 1].name = NULL;
+    else
+        add_time(timer, frame->names[frame->count - 1], (finished_now(timer) - timer->started) * 1e3);
 }
 
 void timer_pass(struct gpu_timer *timer, const char *name)
@@ -53,7 +68,7 @@ void timer_pass(struct gpu_timer *timer, const char *name)
     struct timer_frame *frame = timer->frames + timer->current;
     if (timer->timing == DPL_TIMING_OFF)
         return;
-    if (frame->count)
+    if (timer->running)
         end_pass(timer, frame);
     if (!name || frame->count == TIMER_PASSES_MAX)
         return;
@@ -63,6 +78,7 @@ void timer_pass(struct gpu_timer *timer, const char *name)
     else
         timer->started = finished_now(timer);
     frame->count++;
+    timer->running = true;
 }
 
 struct dpl_pass_time timer_time(const struct gpu_timer *timer, int index)

@@ -3,6 +3,7 @@
 #include "base/log.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 int map_texture_channels(const struct gpu_texture *map)
 {
@@ -13,12 +14,31 @@ void map_texture_resize(struct dpl_gl *gl, struct gpu_texture *map, int side, in
                         enum map_origin origin, bool finished, bool periodic)
 {
     bool es = gl->info.es;
-    GLenum drawn = channels == 1 ? GL_R16F : GL_RGBA16F;
-    GLenum half = channels == 1 ? GL_R16F : GL_RGB16F, full = channels == 1 ? GL_R32F : GL_RGB32F;
-    GLenum format = origin == MAP_DRAWN ? drawn : es ? half : full;
-    bool levels = finished && gl->info.float_render && !(es && format == GL_RGB16F);
+    GLenum half = channels == 1 ? GL_R16F : GL_RGBA16F, full = channels == 1 ? GL_R32F : GL_RGB32F;
+    GLenum format = origin == MAP_DRAWN || es ? half : full;
+    bool levels = finished && gl->info.float_render;
     texture_resize_array(gl, map, format, side, side, slices, periodic ? TEXTURE_REPEAT : TEXTURE_CLAMP,
                          levels ? TEXTURE_MIPMAP : TEXTURE_LINEAR);
+}
+
+bool map_texture_upload(struct dpl_gl *gl, const struct gpu_texture *texture, const struct light_map *map,
+                        struct map_room *room)
+{
+    size_t count = (size_t)map->slices * (size_t)map->side * (size_t)map->side;
+    if (texture->format != GL_RGBA16F) {
+        texture_upload(gl, texture, map->texels);
+        return true;
+    }
+    if (room->count < count) {
+        free(room->texels);
+        room->texels = base_allocate(gl->log, count * 4, sizeof *room->texels, "caustic map");
+        room->count = room->texels ? count : 0;
+    }
+    for (size_t i = 0; room->texels && i < count; i++)
+        memcpy(room->texels + 4 * i, map->texels + 3 * i, 3 * sizeof *room->texels);
+    if (room->texels)
+        texture_upload(gl, texture, room->texels);
+    return room->texels != NULL;
 }
 
 /* Names of the uniforms: texture, window, step. */

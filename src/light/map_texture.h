@@ -6,6 +6,7 @@
 #include "dapple/image.h"
 #include "gpu/program.h"
 #include "gpu/texture.h"
+#include "light/light.h"
 #include "reference/ray.h"
 
 enum map_origin { MAP_DRAWN, MAP_UPLOADED };
@@ -14,6 +15,16 @@ enum map_origin { MAP_DRAWN, MAP_UPLOADED };
  * with smaller levels, which keep far floor from flickering, where the device draws to such formats. */
 void map_texture_resize(struct dpl_gl *gl, struct gpu_texture *map, int side, int channels, int slices,
                         enum map_origin origin, bool finished, bool periodic);
+
+/* Room for a map of three channels that the device wants as four. All zero: none yet; its owner frees `texels`. */
+struct map_room {
+    float *texels;
+    size_t count;
+};
+
+/* Copies a map into a texture of its size made for MAP_UPLOADED. False (logged): no memory. */
+bool map_texture_upload(struct dpl_gl *gl, const struct gpu_texture *texture, const struct light_map *map,
+                        struct map_room *room);
 
 /* Sets the uniforms of light/map.glsl in the program in use, the texture on the given unit. `windows` are
  * those of the receivers, of which the first two count, `size` is the tile's side in metres. */

@@ -195,7 +195,8 @@ static bool make_map(struct lighting *lighting, const struct task *task)
     if (task->texture && lit->on_cpu) {
         timer_pass(lighting->timer, task->passes[PASS_UPLOAD]);
         resize_texture(lighting, task, &lit->texture, MAP_UPLOADED, true);
-        texture_upload(lighting->gl, &lit->texture, lit->map.texels);
+        if (!map_texture_upload(lighting->gl, &lit->texture, &lit->map, &lit->room))
+            return false;
         lit->shown = &lit->texture;
     }
     if (task->texture && lit->shown->filter == TEXTURE_MIPMAP) {
@@ -302,6 +303,7 @@ void lighting_finish(struct lighting *lighting)
     }
     for (int i = 0; i < LIT_MAPS; i++) {
         light_map_finish(&lighting->maps[i].map);
+        free(lighting->maps[i].room.texels);
         if (gl) {
             texture_finish(gl, &lighting->maps[i].texture);
             texture_finish(gl, &lighting->maps[i].blurred);

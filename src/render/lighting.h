@@ -14,6 +14,7 @@ struct lit_map {
     int technique; /* index into light_techniques */
     bool on_cpu;   /* `map` holds it */
     struct light_map map;
+    struct map_room room;
     struct gpu_texture texture, blurred;
     struct gpu_texture *shown; /* whichever of the two is finished; NULL: none has been made */
 };

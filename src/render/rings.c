@@ -61,7 +61,11 @@ void rings_draw(const struct rings *rings, const struct frame *frame, const stru
 {
     struct dpl_gl *gl = frame->gl;
     const double *eye = frame->camera->position;
-    double middle, half = half_angle(&frame->rays, &middle), nearest = NEAREST * fmax(fabs(height), 0.05);
+    /* by the whole picture, so that its tiles have the same vertices */
+    const struct camera_view whole = {frame->view.width, frame->view.height, 0, 0,
+                                      frame->view.width, frame->view.height};
+    const struct camera_rays rays = camera_rays(frame->camera, &whole);
+    double middle, half = half_angle(&rays, &middle), nearest = NEAREST * fmax(fabs(height), 0.05);
     const float radii[2] = {(float)nearest, (float)fmax(farthest, 2 * nearest)};
     const float angles[2] = {(float)(middle - half), (float)(2 * half / (rings->around - 1))};
     const float place[2] = {(float)eye[0], (float)eye[2]};

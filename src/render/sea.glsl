@@ -95,6 +95,12 @@ vec3 open_water(vec3 ray)
     return behind * exp(-extinction * way) + volume_glow_surface(ray, way);
 }
 
+/* What a layer shows in the water, as far off as that along a ray from the surface; where it is there in part, all of it. */
+vec3 layer_through_water(vec4 found, vec3 ray, float way)
+{
+    return found.rgb / max(found.a, 1e-3) * exp(-extinction * way) + volume_glow_surface(ray, way);
+}
+
 #ifdef ABOVE
 vec3 thrown_and_let(vec3 to_eye, vec3 normal, vec3 slope)
 {
@@ -109,7 +115,7 @@ vec3 thrown_and_let(vec3 to_eye, vec3 normal, vec3 slope)
 #endif
     vec3 thrown = mirrored.rgb + (1.0 - mirrored.a) * sky_radiance(back, 2.0 * roughness);
     vec4 below = layer_color(through_color, through_depth, LAYER_THROUGH, into, way);
-    vec3 let = below.a > 0.0 ? below.rgb * exp(-extinction * way) + volume_glow_surface(into, way) : open_water(into);
+    vec3 let = mix(open_water(into), layer_through_water(below, into, way), below.a);
     vec3 sparkle = glint(to_eye, slope.xy, slope.z);
     sparkle *= shadow_light(position, vec3(0.0), to_sun, max(max(sparkle.r, sparkle.g), sparkle.b) > 1e-4);
     return share * thrown + (1.0 - share) / (ior * ior) * let + sparkle;
@@ -123,7 +129,7 @@ vec3 thrown_and_let(vec3 to_eye, vec3 normal, vec3 slope)
     float share = leaves ? optics_fresnel_reflectance(max(dot(out_of, normal), 0.0), ior) : 1.0;
     back.y = -abs(back.y);
     vec4 mirrored = layer_color(mirror_color, mirror_depth, LAYER_MIRROR, back, way);
-    vec3 thrown = mirrored.a > 0.0 ? mirrored.rgb * exp(-extinction * way) + volume_glow_surface(back, way) : open_water(back);
+    vec3 thrown = mix(open_water(back), layer_through_water(mirrored, back, way), mirrored.a);
     #ifdef PANE
     vec4 above = vec4(0.0); /* the layer is that of the pane */
 #else
