@@ -11,6 +11,7 @@
 #include <string.h>
 
 #define BOX 4             /* pixels: over less, noise and edges that are a pixel off would count */
+#define RANGE_MOST 1.0    /* of the colours, in means: spikes of noise are more, and are not to decide */
 #define PICTURE_LEAST 400 /* width of a picture on the sheet, pixels: room for a line of text */
 
 struct picture {
@@ -96,7 +97,7 @@ static bool draw_difference(const struct looks *looks, struct dpl_image *sheet, 
     const struct dpl_measure *measure = &looks->measure;
     const struct dpl_image *tried = looks->tried.radiance, *wanted = looks->wanted.radiance;
     size_t count = (size_t)wanted->width * (size_t)wanted->height * 3;
-    double mean = 0, range = sheet_round_up(fmax(measure->p99, 1e-6));
+    double mean = 0, range = sheet_round_up(fmin(fmax(measure->p99, 1e-6), RANGE_MOST));
     for (size_t i = 0; i < count; i++)
         mean += wanted->pixels[i] / (double)count;
     struct dpl_image *colors =
