@@ -32,6 +32,9 @@ vec3 receiver_caustics(vec3 point)
     vec3 light = light_at(place + slant * (1.0 + point.y / tile_depth));
 #else
     vec3 light = light_at_height(place, 1.0 + point.y / tile_depth, slant);
+    /* above the last layer it becomes that of flat water, which it is at the surface */
+    float count = float(textureSize(light_texels, 0).z);
+    light = mix(light, vec3(1.0), clamp(1.0 + count * point.y / tile_depth, 0.0, 1.0));
 #endif
     return caustics != 0 ? light : vec3(1.0);
 }
@@ -59,6 +62,7 @@ vec3 receiver_reflected(vec3 point)
     vec2 above = place - slant / reflected_window.z * layer + step_in * upper;
     vec3 light = mix(textureGrad(reflected_texels, vec3(below, lower), along_x, along_y).rgb,
                      textureGrad(reflected_texels, vec3(above, upper), along_x, along_y).rgb, layer - lower);
+    light = mix(light, vec3(1.0), clamp(-height, 0.0, 1.0)); /* at the water it is that of flat water */
     return caustics != 0 && reflected_height > 0.0 ? light : vec3(1.0);
 }
 

@@ -65,10 +65,13 @@ vec4 layer_color(sampler2D colors, sampler2D depths, int layer, vec3 ray, out fl
     }
 }
 
-/* The share of light thrown back by a rough surface: Fresnel's, at the mean cosine of the slopes that are seen. */
-float reflectance(float cosine, float index, float roughness)
+/* The normal that a rough surface seems to have, where a pixel holds many slopes: those that face the eye are seen larger. Of a
+ * normal distribution of cosines with mean c and deviation s their seen mean, E[c²] / E[c], is 1.25 s at c = 0 and c + s² / c
+ * for large c; sqrt(c² + 1.57 s²) has the first and is near the second. */
+vec3 seen_normal(vec3 normal, vec3 to_eye, float roughness)
 {
-    return optics_fresnel_reflectance(min(sqrt(cosine * cosine + roughness * roughness), 1.0), index);
+    float cosine = dot(normal, to_eye), seen = sqrt(cosine * cosine + 1.57 * roughness * roughness);
+    return normalize(normal + (seen - cosine) * to_eye);
 }
 
 /* Radiance of the sun's light that a rough surface throws back (Ross, Dion & Potvin 2005): the share of slopes that face it. */
@@ -105,9 +108,10 @@ vec3 layer_through_water(vec4 found, vec3 ray, float way)
 vec3 thrown_and_let(vec3 to_eye, vec3 normal, vec3 slope)
 {
     float roughness = sqrt(0.5 * slope.z), way;
-    vec3 back = optics_reflect(to_eye, normal), into = optics_refract(to_eye, normal, ior);
+    vec3 into = optics_refract(to_eye, normal, ior), seen = seen_normal(normal, to_eye, roughness);
+    vec3 back = optics_reflect(to_eye, seen);
     back = normalize(vec3(back.x, abs(back.y) + 1e-3, back.z));
-    float share = reflectance(max(dot(to_eye, normal), 0.0), ior, roughness);
+    float share = optics_fresnel_reflectance(clamp(dot(to_eye, seen), 0.0, 1.0), ior);
 #ifdef MIRRORED
     vec4 mirrored = layer_color(mirror_color, mirror_depth, LAYER_MIRROR, back, way);
 #else
