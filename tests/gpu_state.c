@@ -49,7 +49,7 @@ static void start(struct fixture *fixture, bool es)
     state_load(&fixture->gl);
     make_own(fixture);
     fixture->scene = support_scene("[wave.1]\ncycles = 2 1\namplitude = 0.03\n[caustics]\nmap = 64\nmesh = 40\n"
-                                   "blur = 1\nslices = 2\n[render]\nsamples = 4\nwireframe = yes\n",
+                                   "blur = 1\nslices = 2\n[render]\nlook = collard\nsamples = 4\nwireframe = yes\n",
                                    log);
 }
 
@@ -170,6 +170,8 @@ static void check_calls(bool es, enum dpl_device device, bool disturbed)
 {
     struct fixture fixture;
     start(&fixture, es);
+    if (device == DPL_DEVICE_GL)
+        support_set(fixture.scene, "render.look", "physical");
     call_everything(&fixture, device, disturbed);
     finish(&fixture);
 }

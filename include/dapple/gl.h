@@ -60,6 +60,7 @@ struct dpl_gl_info {
     bool compute;       /* has compute shaders, and storage buffers that fragment shaders can read */
     bool geometry;      /* has geometry shaders */
     bool float_blend;   /* can add up 32-bit floats by blending */
+    bool float_linear;  /* can filter 32-bit floats */
     int texture_max;    /* largest side of a texture, texels */
     int samples_max;    /* most samples a pixel */
     int point_max;      /* widest point, pixels */

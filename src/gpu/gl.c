@@ -104,6 +104,7 @@ static void detect_abilities(struct dpl_gl *gl, const struct dpl_gl_options *opt
         gl->PolygonMode = (PFNGLPOLYGONMODEPROC)options->get_proc_address(options->user, "glPolygonMode");
     gl->info.polygon_mode = gl->PolygonMode != NULL;
     gl->info.geometry = !gl->info.es;
+    gl->info.float_linear = !gl->info.es || has_extension(gl, "GL_OES_texture_float_linear");
     gl->info.float_blend = gl->info.float_render && (!gl->info.es || has_extension(gl, "GL_EXT_float_blend"));
     detect_compute(gl, options);
     add_fallback(gl, !gl->info.float_render,

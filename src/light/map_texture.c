@@ -14,8 +14,10 @@ void map_texture_resize(struct dpl_gl *gl, struct gpu_texture *map, int side, in
                         enum map_origin origin, bool finished, bool periodic)
 {
     bool es = gl->info.es;
-    GLenum half = channels == 1 ? GL_R16F : GL_RGBA16F, full = channels == 1 ? GL_R32F : GL_RGB32F;
-    GLenum format = origin == MAP_DRAWN || es ? half : full;
+    /* OpenGL ES makes smaller levels of what it can draw to, which is not three channels. */
+    GLenum half = channels == 1 ? GL_R16F : GL_RGBA16F, four = es ? GL_RGBA32F : GL_RGB32F;
+    GLenum full = channels == 1 ? GL_R32F : four;
+    GLenum format = origin == MAP_DRAWN || !gl->info.float_linear ? half : full;
     bool levels = finished && gl->info.float_render;
     texture_resize_array(gl, map, format, side, side, slices, periodic ? TEXTURE_REPEAT : TEXTURE_CLAMP,
                          levels ? TEXTURE_MIPMAP : TEXTURE_LINEAR);
@@ -25,7 +27,7 @@ bool map_texture_upload(struct dpl_gl *gl, const struct gpu_texture *texture, co
                         struct map_room *room)
 {
     size_t count = (size_t)map->slices * (size_t)map->side * (size_t)map->side;
-    if (texture->format != GL_RGBA16F) {
+    if (texture->format != GL_RGBA16F && texture->format != GL_RGBA32F) {
         texture_upload(gl, texture, map->texels);
         return true;
     }

@@ -6,7 +6,7 @@
 
 #define PER_PART 500.0 /* cells that the triangles of a part fill, about */
 #define NEAREST 0.03   /* m, least and greatest side of a cell */
-#define FARTHEST 0.8
+#define FARTHEST 0.5
 #define ALIKE 0.75f /* cosine between normals that one probe stands for */
 
 static float dot(const float a[3], const float b[3])

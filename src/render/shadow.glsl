@@ -54,7 +54,10 @@ float shadow_light(vec3 point, vec3 normal, vec3 to_sun, bool asked)
     vec2 place = (shadow_crossing(point, to_sun) - shadow_square.xy) / shadow_square.zw;
     vec2 outside = abs(place - 0.5);
     bool inside = asked && shadow_span.y > 0.0 && most > 0.0 && max(outside.x, outside.y) < 0.5;
-    float bias = point.y + texel * (1.0 + length(rise)), radius = max(shadow_radius(point, most), texel);
+    /* a texel beside is no farther up along the light than it is steep */
+    vec3 way = point.y > 0.0 ? to_sun : sun_way;
+    float steep = min(abs(way.y) / max(length(way.xz), 1e-3), 1.0);
+    float bias = point.y + texel * (steep + length(rise)), radius = max(shadow_radius(point, most), texel);
     float angle = 6.2831853 * shadow_noise(), covered = 0.0, heights = 0.0;
     vec2 first = vec2(cos(angle), sin(angle)), direction = first;
     int count = inside ? 4 : 0;
