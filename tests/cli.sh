@@ -162,8 +162,8 @@ refuses 2 'too many' render -o a.mp4 --set scene.loop=3600 --fps 1000
 
 # --- map and surface ---
 small='--map 32'
-works map $small -o a.exr && says 'a.exr: 32 x 32, 1 frame in' && holds a.exr
-works map $small --quiet -o a.exr && [ ! -s "$out" ] || fail 'map --quiet prints'
+works map rings $small -o a.exr && says 'a.exr: 32 x 32, 1 frame in' && holds a.exr
+works map rings $small --quiet -o a.exr && [ ! -s "$out" ] || fail 'map --quiet prints'
 holds a.exr
 works map collard-2 $small --json --output=a.png --white=4 --bits 16 --time -1.5 --device cpu --seed 3
 json 'o["output"] == "a.png" and o["frames"] == 1 and o["width"] == o["height"] == 32 and o["seconds"] > 0'
@@ -171,10 +171,10 @@ json 'o["min"] <= o["mean"] <= o["max"]'
 file_type=$(od -An -tu1 -j24 -N1 a.png) # the bit depth in a PNG's header
 [ "$file_type" -eq 16 ] || fail 'map --bits 16 is not of 16 bits'
 holds a.png
-works map $small --frames 3 --fps 10 -o 'a-%03d.pfm' && says '3 frames'
+works map rings $small --frames 3 --fps 10 -o 'a-%03d.pfm' && says '3 frames'
 cp a-001.pfm "$scratch/second.pfm"
 holds a-000.pfm a-001.pfm a-002.pfm
-works map $small --time 0.1 -o a.pfm
+works map rings $small --time 0.1 -o a.pfm
 cmp -s a.pfm "$scratch/second.pfm" || fail 'frame i is not at time + i / fps'
 holds a.pfm
 works map "$scratch/scenes/sines.ini" $small --device gl --technique multi-sample --set multi-sample.steps=2 -o ./-a.exr
@@ -184,12 +184,12 @@ works surface --frames 2 -o a%d.png && says 'slope_x_range' && holds a0.png a1.p
 works surface -o a.exr -- collard-3 && holds a.exr
 
 # --- pictures ---
-works render -o a.png --size 64x36 && says '64 x 36' && holds a.png
-works render -o a.EXR --size 7x5 --json && json 'o["width"] == 7 and o["height"] == 5' && holds a.EXR
-works render -o a-%04d.png --size 16x16 --frames 2 $small && holds a-0000.png a-0001.png
+works render rings -o a.png --size 64x36 && says '64 x 36' && holds a.png
+works render rings -o a.EXR --size 7x5 --json && json 'o["width"] == 7 and o["height"] == 5' && holds a.EXR
+works render rings -o a-%04d.png --size 16x16 --frames 2 $small && holds a-0000.png a-0001.png
 name='quote" \ and
 line.png'
-works render -o "$name" --size 16x16 $small --json && json 'o["output"] == "quote\" \\ and\nline.png"' && holds "$name"
+works render rings -o "$name" --size 16x16 $small --json && json 'o["output"] == "quote\" \\ and\nline.png"' && holds "$name"
 works map -o "$(printf 'byte-\377.png')" $small --json && json 'o["output"] == "byte-\ufffd.png"'
 rm -rf ./*
 
@@ -245,14 +245,14 @@ run 1 $no_gl "$dapple" compare $looks --look path-traced
 # --- videos ---
 if command -v ffmpeg >/dev/null && command -v ffprobe >/dev/null; then
     video='--size 64x48 --map 32 --fps 25'
-    works render $video --frames 12 -o a.mp4 && says '12 frames'
+    works render rings $video --frames 12 -o a.mp4 && says '12 frames'
     [ "$(probe a.mp4 codec_name,width,height,pix_fmt,r_frame_rate,nb_read_frames | xargs)" = \
         'h264 64 48 yuv420p 25/1 12' ] || fail 'a.mp4 is not what was asked for'
     holds a.mp4
-    works render $video --frames 12 -o a.webm
+    works render rings $video --frames 12 -o a.webm
     [ "$(probe a.webm codec_name,width,nb_read_frames | xargs)" = 'vp9 64 12' ] || fail 'a.webm is not as wanted'
     holds a.webm
-    works render $video --frames 12 --size 33x31 -o a.gif
+    works render rings $video --frames 12 --size 33x31 -o a.gif
     [ "$(probe a.gif codec_name,width,nb_read_frames | xargs)" = 'gif 33 12' ] || fail 'a.gif is not as wanted'
     holds a.gif
     works render "$scratch/scenes/sines.ini" $video -o a.mp4 --json && json 'o["frames"] == 5' && holds a.mp4
@@ -262,11 +262,11 @@ if command -v ffmpeg >/dev/null && command -v ffprobe >/dev/null; then
     printf '#!/bin/sh\nkill -9 $$\n' >"$scratch/dies/ffmpeg"
     chmod +x "$scratch/fails/ffmpeg" "$scratch/dies/ffmpeg"
     real_path=$PATH
-    PATH=$scratch/fails:$real_path refuses 1 'exit code 3' render $video -o a.mp4
-    PATH=$scratch/dies:$real_path refuses 1 'signal 9' render $video -o a.mp4
+    PATH=$scratch/fails:$real_path refuses 1 'exit code 3' render rings $video -o a.mp4
+    PATH=$scratch/dies:$real_path refuses 1 'signal 9' render rings $video -o a.mp4
     # a folder that takes the video away from under it
     mkdir "$scratch/full" && mount -t tmpfs -o size=16k none "$scratch/full" 2>/dev/null && {
-        refuses 1 'a.mp4' render $video --size 640x480 -o "$scratch/full/a.mp4"
+        refuses 1 'a.mp4' render rings $video --size 640x480 -o "$scratch/full/a.mp4"
         refuses 1 'a.exr' map --map 128 -o "$scratch/full/a.exr"
         [ -z "$(ls -A "$scratch/full")" ] || fail 'a full disk keeps half a file'
         umount "$scratch/full"
@@ -298,10 +298,10 @@ interrupted() {
     *.part*) fail "SIG$signal left $(ls -A): $*" ;;
     esac
 }
-interrupted TERM map --map 256 --frames 100000 -o a-%d.exr
+interrupted TERM map rings --map 256 --frames 100000 -o a-%d.exr
 rm -rf ./*
 if command -v ffmpeg >/dev/null; then
-    interrupted TERM render --size 64x48 --map 32 --frames 100000 -o a.mp4
+    interrupted TERM render rings --size 64x48 --map 32 --frames 100000 -o a.mp4
     [ -z "$(ls -A)" ] || fail "SIGTERM left $(ls -A)"
 fi
 rm -rf ./*
@@ -325,7 +325,7 @@ run 0 $no_gl "$dapple" info --json && json 'o["opengl"] is None and o["no_opengl
 refuses 2 'empty' render -o a.png --shaders "$scratch/empty"
 
 # --- bench, info, list ---
-works bench --size 32x32 --frames 2 $small && says 'whole frame'
+works bench rings --size 32x32 --frames 2 $small && says 'whole frame'
 works bench collard-4 --size 32x32 --frames 2 $small --json
 json 'o["scene"] == "collard-4" and o["technique"] == "multi-sample" and o["size"] == [32, 32] and o["map"] == 32'
 json 'o["frames"] == 2 and o["frame_ms"]["min"] <= o["frame_ms"]["median"] <= o["frame_ms"]["max"] and o["device"]'

@@ -22,8 +22,8 @@ vec3 light_at(vec2 place)
 }
 
 /* The same at a height between the floor, 0, and the surface, 1. `slant`: how far light under flat water moves along
- * `place` on its way from the surface to the floor; between two layers light is looked up along its way. The level follows
- * from `place` alone, which has no step where the layers change. */
+ * `place` on its way from the surface to the floor; between two layers light is looked up along its way. The level
+ * follows from `place` alone, which has no step where the layers change. */
 vec3 light_at_height(vec2 place, float height, vec2 slant)
 {
     float count = float(textureSize(light_texels, 0).z);

@@ -25,7 +25,8 @@ bool meets_pane(vec3 ray, float way, out vec3 there)
     float to_pane = view_plane(ray);
     there = eye + ray * to_pane;
     vec2 beside = abs(there.xz - plane.xz * dot(there.xz, plane.xz));
-    return to_pane < way && max(beside.x, beside.y) < waves_extent && there.y > tile_floor && there.y < waves_height(there.xz, 0.0) - 0.003;
+    bool between = there.y > tile_floor && there.y < waves_height(there.xz, 0.0) - 0.003;
+    return to_pane < way && max(beside.x, beside.y) < waves_extent && between;
 }
 
 /* The tank through its pane, and what is behind it. */
@@ -49,10 +50,11 @@ void main()
     vec3 ray = view_ray(target), there;
     vec4 solid = texture(direct_color, target);
     float depth = texture(direct_depth, target).r, way = depth < 1.0 ? view_way(depth, ray) : planes.y;
+    vec3 behind = sky_behind(solid, ray);
     if (pane != 0)
-        color = vec4(meets_pane(ray, way, there) ? behind_pane(ray, there, sky_behind(solid, ray)) : sky_behind(solid, ray), 1.0);
+        color = vec4(meets_pane(ray, way, there) ? behind_pane(ray, there, behind) : behind, 1.0);
     else if (side > 0.0)
-        color = vec4(sky_behind(solid, ray), 1.0);
+        color = vec4(behind, 1.0);
     else
         color = vec4(solid.rgb * exp(-extinction * way) + volume_glow(eye, ray, way) + shafts_read(target, way), 1.0);
 }

@@ -11,7 +11,8 @@ uniform sampler2DArray reflected_texels;
 uniform vec3 reflected_window, reflected_step; /* as in light/map.glsl */
 uniform float reflected_height;                /* m, of the last layer; 0: there is no such light */
 
-/* A layer shows what is in the water, or what is not; both a little beyond the surface, whose mesh is coarse far off. */
+/* A layer shows what is in the water, or what is not; both a little beyond the surface, whose mesh is coarse far off.
+ * */
 bool layer_leaves_out(vec3 point)
 {
     float slack = 0.01 + 0.004 * distance(point, eye);
@@ -23,8 +24,8 @@ bool layer_leaves_out(vec3 point)
 }
 
 #ifdef WET
-/* The caustics at a point in the water, as irradiance in units of flat water's. ON_FLOOR: by the map of the floor alone, along
- * the light's way. */
+/* The caustics at a point in the water, as irradiance in units of flat water's. ON_FLOOR: by the map of the floor
+ * alone, along the light's way. */
 vec3 receiver_caustics(vec3 point)
 {
     vec2 slant = tile_depth * sun_way.xz / (-sun_way.y * tile_size), place = point.xz / tile_size + 0.5;
@@ -53,7 +54,8 @@ vec3 receiver_radiance(vec3 point, vec3 normal, vec3 reflectance, vec3 ambient)
 /* The same of light that the water throws up to a point above it; between layers along its way. */
 vec3 receiver_reflected(vec3 point)
 {
-    float count = float(textureSize(reflected_texels, 0).z), height = point.y / max(reflected_height, 1e-3) * count - 1.0;
+    float count = float(textureSize(reflected_texels, 0).z);
+    float height = point.y / max(reflected_height, 1e-3) * count - 1.0;
     float layer = clamp(height, 0.0, count - 1.0), lower = floor(layer), upper = min(lower + 1.0, count - 1.0);
     vec2 place = (point.xz / tile_size + 0.5 - reflected_window.xy) / reflected_window.z;
     vec2 slant = -to_sun.xz / to_sun.y * reflected_height / (count * tile_size); /* from a layer to the next */

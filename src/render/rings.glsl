@@ -1,5 +1,5 @@
-/* The vertex stage of the floor and of the water's surface: rings round the point below the eye, each wider than the one
- * before by the same factor, so that a cell is about as large as it looks (render/rings.c). */
+/* The vertex stage of the floor and of the water's surface: rings round the point below the eye, each wider than the
+ * one before by the same factor, so that a cell is about as large as it looks (render/rings.c). */
 #ifdef VERTEX
 uniform ivec2 rings_count;  /* rings; vertices in one */
 uniform vec2 rings_radii;   /* m, of the first and of the last */

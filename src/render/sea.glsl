@@ -1,8 +1,8 @@
-/* The water's surface: what it throws back and what it lets through. Seen from ABOVE, with or without anything above it that
- * is MIRRORED; otherwise from below, by an eye in the water or through a PANE.
+/* The water's surface: what it throws back and what it lets through. Seen from ABOVE, with or without anything above it
+ * that is MIRRORED; otherwise from below, by an eye in the water or through a PANE.
  *
- * The layers THROUGH and MIRROR hold both as flat water would show them. A wave's own ray meets what stands there at another
- * place, which is found by going on along the ray to the depth that the layer says, and looking there again. */
+ * * The layers THROUGH and MIRROR hold both as flat water would show them. A wave's own ray meets what stands there at
+ * another place, which is found by going on along the ray to the depth that the layer says, and looking there again. */
 #include "render/view.glsl"
 #include "render/rings.glsl"
 #include "render/waves.glsl"
@@ -65,16 +65,17 @@ vec4 layer_color(sampler2D colors, sampler2D depths, int layer, vec3 ray, out fl
     }
 }
 
-/* The normal that a rough surface seems to have, where a pixel holds many slopes: those that face the eye are seen larger. Of a
- * normal distribution of cosines with mean c and deviation s their seen mean, E[c²] / E[c], is 1.25 s at c = 0 and c + s² / c
- * for large c; sqrt(c² + 1.57 s²) has the first and is near the second. */
+/* The normal that a rough surface seems to have, where a pixel holds many slopes: those that face the eye are seen
+ * larger. Of a normal distribution of cosines with mean c and deviation s their seen mean, E[c²] / E[c], is 1.25 s at c
+ * = 0 and c + s² / c for large c; sqrt(c² + 1.57 s²) has the first and is near the second. */
 vec3 seen_normal(vec3 normal, vec3 to_eye, float roughness)
 {
     float cosine = dot(normal, to_eye), seen = sqrt(cosine * cosine + 1.57 * roughness * roughness);
     return normalize(normal + (seen - cosine) * to_eye);
 }
 
-/* Radiance of the sun's light that a rough surface throws back (Ross, Dion & Potvin 2005): the share of slopes that face it. */
+/* Radiance of the sun's light that a rough surface throws back (Ross, Dion & Potvin 2005): the share of slopes that
+ * face it. */
 vec3 glint(vec3 to_eye, vec2 slopes, float variance)
 {
     vec3 middle = normalize(to_eye + to_sun);
@@ -86,8 +87,8 @@ vec3 glint(vec3 to_eye, vec2 slopes, float variance)
     return sun_irradiance * share * density / (4.0 * square * square * max(to_eye.y, 0.05));
 }
 
-/* What a ray that goes down from the surface sees where the layers have nothing: the floor, or where the water ends before
- * it, what is behind a pane, or as much as the floor. */
+/* What a ray that goes down from the surface sees where the layers have nothing: the floor, or where the water ends
+ * before it, what is behind a pane, or as much as the floor. */
 vec3 open_water(vec3 ray)
 {
     float to_floor = (tile_floor - position.y) / min(ray.y, -1e-3), to_edge = planes.y;
@@ -98,7 +99,8 @@ vec3 open_water(vec3 ray)
     return behind * exp(-extinction * way) + volume_glow_surface(ray, way);
 }
 
-/* What a layer shows in the water, as far off as that along a ray from the surface; where it is there in part, all of it. */
+/* What a layer shows in the water, as far off as that along a ray from the surface; where it is there in part, all of
+ * it. */
 vec3 layer_through_water(vec4 found, vec3 ray, float way)
 {
     return found.rgb / max(found.a, 1e-3) * exp(-extinction * way) + volume_glow_surface(ray, way);

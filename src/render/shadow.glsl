@@ -43,8 +43,8 @@ vec2 shadow_rise(vec3 normal, vec2 slant)
 }
 
 /* The share of the sun that a point sees; 1 where that is not `asked`. Points around its light's place, on a spiral of
- * equal areas (Vogel 1979), ask first how high what stands in the way is, then how much of the light it covers. A loop of no
- * turns costs nothing where a device goes both ways of every condition. */
+ * equal areas (Vogel 1979), ask first how high what stands in the way is, then how much of the light it covers. A loop
+ * of no turns costs nothing where a device goes both ways of every condition. */
 float shadow_light(vec3 point, vec3 normal, vec3 to_sun, bool asked)
 {
     const mat2 turn = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688); /* by the golden angle */

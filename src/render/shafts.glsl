@@ -1,4 +1,5 @@
-/* Light shafts: how much more or less than under flat water the sun's light is along each sight, scattered to the eye. */
+/* Light shafts: how much more or less than under flat water the sun's light is along each sight, scattered to the eye.
+ * */
 #include "gpu/screen.glsl"
 
 #ifdef FRAGMENT
@@ -57,7 +58,8 @@ void main()
         /* steps as short near the eye as the texels are small there: way = reach x² */
         float x = (float(i) + random.x) / float(steps), way = reach * x * x, step_way = 2.0 * reach * x / float(steps);
         vec3 point = start + ray * way;
-        vec3 light = solid_before_sun(point) ? vec3(0.0) : light_here(point, max(way * pixel, 0.5 * step_way * 0.1), random.y);
+        float width = max(way * pixel, 0.05 * step_way);
+        vec3 light = solid_before_sun(point) ? vec3(0.0) : light_here(point, width, random.y);
         sum += (light - 1.0) * volume_sun(max(-point.y, 0.0)) * exp(-extinction * way) * step_way;
     }
     color = vec4(scattering * sun_below * optics_phase(dot(sun_way, -ray), asymmetry) * sum, end);

@@ -1,8 +1,8 @@
-/* Sight: where a point is seen, straight, through a plane between air and water, or mirrored in the rest surface; and what a
- * pixel's depth says.
+/* Sight: where a point is seen, straight, through a plane between air and water, or mirrored in the rest surface; and
+ * what a pixel's depth says.
  *
- * The plane is the rest surface, or the pane of an aquarium that is seen from outside. A layer is the scene as flat water
- * would show it; waves then look it up a little beside (sea.glsl). */
+ * * The plane is the rest surface, or the pane of an aquarium that is seen from outside. A layer is the scene as flat
+ * water would show it; waves then look it up a little beside (sea.glsl). */
 #define LAYER_DIRECT 0
 #define LAYER_THROUGH 1
 #define LAYER_MIRROR 2
@@ -16,9 +16,10 @@ uniform vec4 plane;       /* unit normal towards the eye, and the plane's distan
 uniform float plane_index; /* refractive index beyond the plane to that before it */
 uniform int pane;         /* the plane is a pane: what is mirrored in the rest surface is seen through it, too */
 
-/* How far off along the plane sight of a point passes it: `level` m from the foot of the eye to that of the point, `before`
- * and `beyond` from the plane to each. By Snell's law s / |s, before| = index (level - s) / |level - s, beyond|, whose left side
- * less its right one grows with s; Newton's method from `guess`, a share of the level, kept between the ends. */
+/* How far off along the plane sight of a point passes it: `level` m from the foot of the eye to that of the point,
+ * `before` and `beyond` from the plane to each. By Snell's law s / |s, before| = index (level - s) / |level - s,
+ * beyond|, whose left side less its right one grows with s; Newton's method from `guess`, a share of the level, kept
+ * between the ends. */
 float view_crossing(float level, float before, float beyond, float guess, int steps)
 {
     float s = level * guess;
@@ -33,8 +34,8 @@ float view_crossing(float level, float before, float beyond, float guess, int st
     return s;
 }
 
-/* Where a point beyond the plane seems to be: on the straight ray to where its sight passes the plane, as far off as its
- * light has come. `guess`: the share of its level way before the plane; below 0: not known. */
+/* Where a point beyond the plane seems to be: on the straight ray to where its sight passes the plane, as far off as
+ * its light has come. `guess`: the share of its level way before the plane; below 0: not known. */
 vec3 view_through(vec3 point, float guess)
 {
     float before = max(dot(plane.xyz, eye) - plane.w, 1e-4), beyond = plane.w - dot(plane.xyz, point);
@@ -98,6 +99,7 @@ vec3 view_point(vec3 ray, float depth, int layer)
 {
     vec3 point;
     float way = view_way(depth, ray), to_plane = view_plane(ray);
-    point = view_bends(layer) && way > to_plane ? eye + ray * to_plane + view_bent(ray) * (way - to_plane) : eye + ray * way;
+    bool bends = view_bends(layer) && way > to_plane;
+    point = bends ? eye + ray * to_plane + view_bent(ray) * (way - to_plane) : eye + ray * way;
     return layer == LAYER_MIRROR ? point * vec3(1.0, -1.0, 1.0) : point;
 }

@@ -7,7 +7,8 @@ const int PATTERN_PLAIN = 0;
 /* Length of a brick in its height; how far a row is shifted (0, half a brick every other row, or by chance); share of
  * the height that is joint; how much bricks differ in brightness. */
 const vec4 pattern_styles[4] =
-    vec4[4](vec4(1.0, 0.0, 0.0, 0.0), vec4(1.0, 0.0, 0.03, 0.06), vec4(14.0, 2.0, 0.02, 0.16), vec4(2.0, 1.0, 0.045, 0.12));
+    vec4[4](vec4(1.0, 0.0, 0.0, 0.0), vec4(1.0, 0.0, 0.03, 0.06), vec4(14.0, 2.0, 0.02, 0.16),
+            vec4(2.0, 1.0, 0.045, 0.12));
 
 /* 0 to 1 for each brick (integer hash by multiplication and shift, PCG: O'Neill 2014; Jarzynski & Olano 2020). */
 float pattern_random(int column, int row)
