@@ -181,7 +181,7 @@ works map "$scratch/scenes/sines.ini" $small --device gl --technique multi-sampl
 holds -a.exr
 works surface rings --json -o a.pfm && json 'o["width"] == o["height"] == 161 and o["height_range"] > 0' && holds a.pfm
 works surface rings --frames 2 -o a%d.png && says 'slope_x_range' && holds a0.png a1.png
-works surface rings -o a.exr -- collard-3 && holds a.exr
+works surface -o a.exr -- collard-3 && holds a.exr
 
 # --- pictures ---
 works render rings -o a.png --size 64x36 && says '64 x 36' && holds a.png
