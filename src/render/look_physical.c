@@ -59,12 +59,18 @@ static bool prepare(void *state, const struct frame *frame)
         !world_build(&physical->world, frame->scene, gl->log))
         return false;
     physical->light = physical_light(&physical->sky, frame);
-    return update_layers(physical, frame) && rings_ready(&physical->rings, gl, RINGS, RING_VERTICES) &&
-           shadow_prepare(&physical->shadow, frame, physical) && solids_prepare(&physical->solids, gl) &&
-           seabed_prepare(&physical->seabed, frame, &physical->world) && ambient_update(physical, frame) &&
-           shafts_prepare(&physical->shafts, frame, &physical->quality) &&
-           program_ready(gl, &physical->backdrop, "render/backdrop.glsl", "") && prepare_seas(physical, gl) &&
-           waves_update(&physical->waves, frame);
+    physical->reach = waves_reach(frame);
+    bool ok = update_layers(physical, frame) && rings_ready(&physical->rings, gl, RINGS, RING_VERTICES) &&
+              shadow_prepare(&physical->shadow, frame, physical) && solids_prepare(&physical->solids, gl) &&
+              seabed_prepare(&physical->seabed, frame, &physical->world) && ambient_update(physical, frame) &&
+              shafts_prepare(&physical->shafts, frame, &physical->quality) &&
+              program_ready(gl, &physical->backdrop, "render/backdrop.glsl", "") && prepare_seas(physical, gl) &&
+              waves_update(&physical->waves, frame);
+    if (ok) {
+        timer_pass(frame->timer, "shadow");
+        shadow_draw(&physical->shadow, frame, physical);
+    }
+    return ok;
 }
 
 /* What stands on one side of the surface, as a layer shows it. */
@@ -152,8 +158,6 @@ static void draw(void *state, const struct frame *frame)
     struct sight sights[2];
     int count = sight_find(frame, sights);
     frame->gl->Disable(GL_SCISSOR_TEST);
-    timer_pass(frame->timer, "shadow");
-    shadow_draw(&physical->shadow, frame, physical);
     for (int i = 0; i < count; i++) {
         physical->sight = sights[i];
         draw_sight(physical, frame);

@@ -148,14 +148,19 @@ static void bind_floor(const struct physical *physical, const struct frame *fram
     program_int(gl, program, "sand", UNIT_SAND);
 }
 
+void physical_bind_cast(const struct physical *physical, const struct frame *frame, const struct gpu_program *program)
+{
+    bind_shadow(physical, frame, program);
+    bind_sway(frame, program);
+}
+
 void physical_bind(const struct physical *physical, const struct frame *frame, const struct gpu_program *program)
 {
     bind_sight(physical, frame, program);
     bind_light(physical, frame, program);
     bind_maps(frame, program);
-    bind_shadow(physical, frame, program);
+    physical_bind_cast(physical, frame, program);
     bind_floor(physical, frame, program);
-    bind_sway(frame, program);
     waves_bind(&physical->waves, frame, program, UNIT_WAVES);
 }
 

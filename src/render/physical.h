@@ -141,11 +141,15 @@ struct physical {
     struct physical_light light;
     struct quality quality;
     struct sight sight; /* that is drawn now */
+    double reach;       /* m that the water stands above or below its rest surface, at most */
     bool has_shafts;
 };
 
 /* Sets every uniform and texture that more than one pass uses, in the program in use. */
 void physical_bind(const struct physical *physical, const struct frame *frame, const struct gpu_program *program);
+
+/* Of these, what draws solids into the map of shadows. */
+void physical_bind_cast(const struct physical *physical, const struct frame *frame, const struct gpu_program *program);
 
 /* The layers, and the light shafts, once they are drawn. */
 void physical_bind_layers(const struct physical *physical, const struct frame *frame,

@@ -11,8 +11,7 @@ uniform sampler2DArray reflected_texels;
 uniform vec3 reflected_window, reflected_step; /* as in light/map.glsl */
 uniform float reflected_height;                /* m, of the last layer; 0: there is no such light */
 
-/* A layer shows what is in the water, or what is not; both a little beyond the surface, whose mesh is coarse far off.
- * */
+/* A layer shows what is in the water, or what is not; both a little beyond the surface, coarse far off as its mesh is. */
 bool layer_leaves_out(vec3 point)
 {
     float slack = 0.01 + 0.004 * distance(point, eye);
@@ -51,7 +50,8 @@ vec3 receiver_radiance(vec3 point, vec3 normal, vec3 reflectance, vec3 ambient)
     return reflectance / SKY_PI * (sun + ambient + scattered * (0.5 + 0.5 * normal.y));
 }
 #else
-/* The same of light that the water throws up to a point above it; between layers along its way. */
+/* The caustics of light that the water throws up to a point above it, in units of what flat water throws back; between
+ * layers along its way. */
 vec3 receiver_reflected(vec3 point)
 {
     float count = float(textureSize(reflected_texels, 0).z);

@@ -1,7 +1,7 @@
 /* The water's surface: what it throws back and what it lets through. Seen from ABOVE, with or without anything above it
  * that is MIRRORED; otherwise from below, by an eye in the water or through a PANE.
  *
- * * The layers THROUGH and MIRROR hold both as flat water would show them. A wave's own ray meets what stands there at
+ * The layers THROUGH and MIRROR hold both as flat water would show them. A wave's own ray meets what stands there at
  * another place, which is found by going on along the ray to the depth that the layer says, and looking there again. */
 #include "render/view.glsl"
 #include "render/rings.glsl"
@@ -99,8 +99,7 @@ vec3 open_water(vec3 ray)
     return behind * exp(-extinction * way) + volume_glow_surface(ray, way);
 }
 
-/* What a layer shows in the water, as far off as that along a ray from the surface; where it is there in part, all of
- * it. */
+/* What a layer shows in the water, so far off along a ray from the surface; where it is there in part, all of it. */
 vec3 layer_through_water(vec4 found, vec3 ray, float way)
 {
     return found.rgb / max(found.a, 1e-3) * exp(-extinction * way) + volume_glow_surface(ray, way);
@@ -136,7 +135,7 @@ vec3 thrown_and_let(vec3 to_eye, vec3 normal, vec3 slope)
     back.y = -abs(back.y);
     vec4 mirrored = layer_color(mirror_color, mirror_depth, LAYER_MIRROR, back, way);
     vec3 thrown = mix(open_water(back), layer_through_water(mirrored, back, way), mirrored.a);
-    #ifdef PANE
+#ifdef PANE
     vec4 above = vec4(0.0); /* the layer is that of the pane */
 #else
     vec4 above = layer_color(through_color, through_depth, LAYER_THROUGH, out_of, way);

@@ -37,10 +37,10 @@ void main()
     vec2 place = position.xz / relief_size + 0.5;
     vec2 slopes = texture(relief_texels, place).yz;
     vec3 normal = normalize(vec3(-slopes.x, 1.0, -slopes.y));
-    vec2 width = fwidth(position.xz);
-    vec3 reflectance = texture(sand, place).rgb;
 #ifdef PATTERN
-    reflectance = pattern_color(pattern, pattern_size, pattern_joint, floor_color, position.xz, width);
+    vec3 reflectance = pattern_color(pattern, pattern_size, pattern_joint, floor_color, position.xz, fwidth(position.xz));
+#else
+    vec3 reflectance = texture(sand, place).rgb;
 #endif
     vec3 ambient = texture(floor_ambient, (position.xz - ambient_square.xy) / ambient_square.z).rgb;
     color = vec4(receiver_radiance(position, normal, reflectance, ambient), 1.0);

@@ -50,7 +50,7 @@ void shadow_draw(struct shadow *shadow, const struct frame *frame, const struct 
         return;
     gl->Enable(GL_DEPTH_TEST);
     program_use(gl, &shadow->cast);
-    physical_bind(physical, frame, &shadow->cast);
+    physical_bind_cast(physical, frame, &shadow->cast);
     for (int above = 0; above < 2; above++) {
         const double *way = above ? physical->light.to_sun : physical->light.sun_way;
         program_vec2(gl, &shadow->cast, "slant", way[0] / way[1], way[2] / way[1]);

@@ -1,5 +1,5 @@
-/* Light shafts: how much more or less than under flat water the sun's light is along each sight, scattered to the eye.
- * */
+/* Light shafts: how much more or less than under flat water the sun's light is along each sight, scattered to the
+ * eye. */
 #include "gpu/screen.glsl"
 
 #ifdef FRAGMENT

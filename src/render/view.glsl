@@ -1,7 +1,7 @@
 /* Sight: where a point is seen, straight, through a plane between air and water, or mirrored in the rest surface; and
  * what a pixel's depth says.
  *
- * * The plane is the rest surface, or the pane of an aquarium that is seen from outside. A layer is the scene as flat
+ * The plane is the rest surface, or the pane of an aquarium that is seen from outside. A layer is the scene as flat
  * water would show it; waves then look it up a little beside (sea.glsl). */
 #define LAYER_DIRECT 0
 #define LAYER_THROUGH 1
