@@ -33,16 +33,6 @@ static const char optics_shader[] =
     "}\n"
     "#endif\n";
 
-static void write_file(const char *folder, const char *path, const char *text)
-{
-    char full[256];
-    snprintf(full, sizeof full, "%s/%s", folder, path);
-    FILE *stream = fopen(full, "wb");
-    assert_non_null(stream);
-    fputs(text, stream);
-    fclose(stream);
-}
-
 /* Single precision keeps 6e-8 of numbers up to 1; near grazing and near no refraction differences of such numbers are
  * divided by small ones. */
 static void check_optics(struct dpl_gl *gl, const struct gpu_program *program, const double sun[3],
@@ -85,10 +75,10 @@ static void optics_are_those_of_the_cpu(void **state)
             snprintf(path, sizeof path, "%s/%s", folder, subfolders[i]);
             assert_int_equal(mkdir(path, 0777), 0);
         }
-        write_file(folder, "test.glsl", optics_shader);
-        write_file(folder, "gpu/screen.glsl", base_resource_find("gpu/screen.glsl"));
-        write_file(folder, "optics/refraction.glsl", base_resource_find("optics/refraction.glsl"));
-        write_file(folder, "optics/phase.glsl", base_resource_find("optics/phase.glsl"));
+        support_file_write(folder, "test.glsl", optics_shader);
+        support_file_write(folder, "gpu/screen.glsl", base_resource_find("gpu/screen.glsl"));
+        support_file_write(folder, "optics/refraction.glsl", base_resource_find("optics/refraction.glsl"));
+        support_file_write(folder, "optics/phase.glsl", base_resource_find("optics/phase.glsl"));
         struct dpl_gl *gl = dpl_gl_create_headless(es, folder, support_log_start(&log));
         assert_non_null(gl);
         assert_true(program_ready(gl, &program, "test.glsl", ""));

@@ -35,16 +35,6 @@ struct fixture {
     char folder[64];
 };
 
-static void write_file(const char *folder, const char *path, const char *text)
-{
-    char full[256];
-    snprintf(full, sizeof full, "%s/%s", folder, path);
-    FILE *stream = fopen(full, "wb");
-    assert_non_null(stream);
-    fputs(text, stream);
-    fclose(stream);
-}
-
 static void start(struct fixture *fixture, bool es)
 {
     static const char *const files[] = {"gpu/screen.glsl", "scene/pattern.glsl", "scene/sway.glsl"};
@@ -55,9 +45,9 @@ static void start(struct fixture *fixture, bool es)
         snprintf(path, sizeof path, "%s/%s", fixture->folder, i ? "scene" : "gpu");
         assert_int_equal(mkdir(path, 0777), 0);
     }
-    write_file(fixture->folder, "test.glsl", shader);
+    support_file_write(fixture->folder, "test.glsl", shader);
     for (int i = 0; i < 3; i++)
-        write_file(fixture->folder, files[i], base_resource_find(files[i]));
+        support_file_write(fixture->folder, files[i], base_resource_find(files[i]));
     fixture->gl = dpl_gl_create_headless(es, fixture->folder, support_log_start(&fixture->log));
     if (!fixture->gl)
         skip();

@@ -15,16 +15,6 @@ struct fixture {
 
 static const char *const subfolders[] = {"gpu", "light", "optics", "render", "scene", "water", NULL};
 
-static void write_shader(const struct fixture *fixture, const char *name, const char *text)
-{
-    char path[256];
-    snprintf(path, sizeof path, "%s/%s", fixture->folder, name);
-    FILE *stream = fopen(path, "wb");
-    assert_non_null(stream);
-    fputs(text, stream);
-    fclose(stream);
-}
-
 /* A folder with a copy of every shader that is built in. */
 static int setup(void **state)
 {
@@ -37,7 +27,7 @@ static int setup(void **state)
         assert_int_equal(mkdir(path, 0777), 0);
     }
     for (const struct base_resource *resource = base_resources; resource->path; resource++)
-        write_shader(fixture, resource->path, resource->text);
+        support_file_write(fixture->folder, resource->path, resource->text);
     *state = fixture;
     return 0;
 }
@@ -99,9 +89,9 @@ static void every_built_in_shader_is_found_and_has_its_dialect(void **state)
 static void includes_are_expanded_once_each(void **state)
 {
     struct fixture *fixture = *state;
-    write_shader(fixture, "a.glsl", "first\n#include \"b.glsl\"\nafter b\n#include \"c.glsl\"\nlast");
-    write_shader(fixture, "b.glsl", "in b\n#include \"c.glsl\"\n#include \"a.glsl\"\nend b\n");
-    write_shader(fixture, "c.glsl", "in c\n");
+    support_file_write(fixture->folder, "a.glsl", "first\n#include \"b.glsl\"\nafter b\n#include \"c.glsl\"\nlast");
+    support_file_write(fixture->folder, "b.glsl", "in b\n#include \"c.glsl\"\n#include \"a.glsl\"\nend b\n");
+    support_file_write(fixture->folder, "c.glsl", "in c\n");
     char *text = source(fixture, "a.glsl", PROGRAM_GL33);
     assert_string_equal(text, "#version 330 core\n#define FRAGMENT\n#define STEPS 3\n"
                               "#line 1 1\nfirst\n"
@@ -118,7 +108,7 @@ static void a_missing_file_is_named(void **state)
 {
     struct fixture *fixture = *state;
     char path[256];
-    write_shader(fixture, "a.glsl", "#include \"gpu/no.glsl\"\n");
+    support_file_write(fixture->folder, "a.glsl", "#include \"gpu/no.glsl\"\n");
     snprintf(path, sizeof path, "%s/gpu/no.glsl", fixture->folder);
     assert_null(source(fixture, "a.glsl", PROGRAM_GL33));
     EXPECT_ERROR(&fixture->log, DPL_REASON_FILE_READ, path);
@@ -134,7 +124,7 @@ static void too_many_includes_are_refused(void **state)
         char name[32], text[64];
         snprintf(name, sizeof name, "part%d.glsl", i);
         snprintf(text, sizeof text, "#include \"part%d.glsl\"\n", i < 39 ? i + 1 : 38);
-        write_shader(fixture, name, text);
+        support_file_write(fixture->folder, name, text);
     }
     assert_null(source(fixture, "part0.glsl", PROGRAM_GL33));
     EXPECT_ERROR(&fixture->log, DPL_REASON_SHADER, "part", "16");
@@ -153,12 +143,12 @@ static void check_errors(struct fixture *fixture, bool es)
 {
     struct dpl_gl *gl = open_context(fixture, es);
     struct gpu_program program = {0};
-    write_shader(fixture, "light/ok.glsl",
-                 SCREEN "#ifdef FRAGMENT\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n#endif\n");
-    write_shader(fixture, "a.glsl", SCREEN "#ifdef FRAGMENT\n#include \"light/ok.glsl\"\n#endif\n");
+    support_file_write(fixture->folder, "light/ok.glsl",
+                       SCREEN "#ifdef FRAGMENT\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n#endif\n");
+    support_file_write(fixture->folder, "a.glsl", SCREEN "#ifdef FRAGMENT\n#include \"light/ok.glsl\"\n#endif\n");
     assert_true(program_ready(gl, &program, "a.glsl", ""));
     GLuint name = program.name;
-    write_shader(fixture, "light/ok.glsl", "\n\nout vec4 c;\nvoid main() { c = nonsense; }\n");
+    support_file_write(fixture->folder, "light/ok.glsl", "\n\nout vec4 c;\nvoid main() { c = nonsense; }\n");
     assert_true(program_ready(gl, &program, "a.glsl", "")); /* nobody has asked for a reload */
     gl->generation++;
     assert_true(program_ready(gl, &program, "a.glsl", ""));
@@ -186,9 +176,10 @@ static void a_program_that_does_not_link_is_named(void **state)
     struct fixture *fixture = *state;
     struct dpl_gl *gl = open_context(fixture, false);
     struct gpu_program program = {0};
-    write_shader(fixture, "a.glsl",
-                 "#ifdef VERTEX\nout vec3 twofold;\nvoid main() { twofold = vec3(1.0); gl_Position = vec4(0.0); }\n"
-                 "#else\nin vec2 twofold;\nout vec4 c;\nvoid main() { c = twofold.xyxy; }\n#endif\n");
+    support_file_write(
+        fixture->folder, "a.glsl",
+        "#ifdef VERTEX\nout vec3 twofold;\nvoid main() { twofold = vec3(1.0); gl_Position = vec4(0.0); }\n"
+        "#else\nin vec2 twofold;\nout vec4 c;\nvoid main() { c = twofold.xyxy; }\n#endif\n");
     assert_false(program_ready(gl, &program, "a.glsl", ""));
     EXPECT_ERROR(&fixture->log, DPL_REASON_SHADER, "a.glsl", "does not link", "twofold");
     dpl_gl_destroy(gl);
@@ -207,9 +198,9 @@ static void a_renderer_goes_on_while_a_shader_is_edited(void **state)
     struct dpl_image *images[4];
     for (int i = 0; i < 4; i++) {
         if (i == 1)
-            write_shader(fixture, "light/multi_sample.glsl", "broken\n");
+            support_file_write(fixture->folder, "light/multi_sample.glsl", "broken\n");
         if (i == 2)
-            write_shader(fixture, "light/multi_sample.glsl", quarter);
+            support_file_write(fixture->folder, "light/multi_sample.glsl", quarter);
         if (i != 3) /* the fourth time nothing changed */
             dpl_renderer_reload(renderer);
         images[i] = dpl_renderer_map(renderer, scene, 1);

@@ -1,39 +1,13 @@
 /* Shapes that are built, and those that enclose: they fit their size, are seen from the side that they are meant to be
  * seen from, are divided finely, and let light through where they are open and nowhere else. */
-#include "support.h"
+#include "world.h"
 
-#include "scene/world.h"
-
-struct fixture {
-    struct support_log log;
-    struct dpl_scene *scene;
-    struct world world;
-};
-
-static int setup(void **state)
-{
-    struct fixture *fixture = calloc(1, sizeof *fixture);
-    fixture->scene = dpl_scene_create(support_log_start(&fixture->log));
-    *state = fixture;
-    return 0;
-}
-
-static int teardown(void **state)
-{
-    struct fixture *fixture = *state;
-    world_finish(&fixture->world);
-    dpl_scene_destroy(fixture->scene);
-    free(fixture);
-    return 0;
-}
-
-static const struct world *build(struct fixture *fixture, const char *shape, const double size[3])
+static const struct world *build_shape(struct fixture *fixture, const char *shape, const double size[3])
 {
     support_set(fixture->scene, "object.a.shape", "%s", shape);
     support_set(fixture->scene, "object.a.on_floor", "no");
     support_set(fixture->scene, "object.a.size", "%g %g %g", size[0], size[1], size[2]);
-    if (!world_build(&fixture->world, fixture->scene, &fixture->log.log))
-        fail_msg("%s", fixture->log.text);
+    build(fixture);
     return &fixture->world;
 }
 
@@ -152,7 +126,7 @@ static void shapes_fit_their_size(void **state)
 {
     struct fixture *fixture = *state;
     for (int s = 0; s < SHAPES; s++) {
-        const struct world *world = build(fixture, shapes[s].shape, shapes[s].size);
+        const struct world *world = build_shape(fixture, shapes[s].shape, shapes[s].size);
         assert_true(world->index_count > 0);
         check_vertices(world, s);
         check_triangles(world, s);
@@ -170,7 +144,7 @@ static void any_size_is_built(void **state)
     struct fixture *fixture = *state;
     for (int s = 0; s < SHAPES; s++)
         for (int i = 0; i < 4; i++) {
-            const struct world *world = build(fixture, shapes[s].shape, sizes[i]);
+            const struct world *world = build_shape(fixture, shapes[s].shape, sizes[i]);
             for (int v = 0; v < world->vertex_count; v++) {
                 double length = 0;
                 for (int c = 0; c < 3; c++) {
@@ -194,7 +168,7 @@ static void expect_seen(const struct world *world, const double from[3], const d
 
 static void a_basin_faces_its_water(void **state)
 {
-    const struct world *world = build(*state, "basin", (const double[3]){8, 1.7, 12});
+    const struct world *world = build_shape(*state, "basin", (const double[3]){8, 1.7, 12});
     for (int i = 0; i < 40; i++) {
         double angle = 2 * M_PI * (i + 0.37) / 40, height = 0.05 + 1.6 * i / 40;
         expect_seen(world, (const double[3]){0.1, height, 0.2}, (const double[3]){cos(angle), 0.003, sin(angle)}, 1,
@@ -209,7 +183,7 @@ static void a_basin_faces_its_water(void **state)
 /* Sun comes in by the windows, and by nothing else. */
 static void a_hall_is_open_at_its_windows(void **state)
 {
-    const struct world *world = build(*state, "hall", (const double[3]){12, 5, 16});
+    const struct world *world = build_shape(*state, "hall", (const double[3]){12, 5, 16});
     uint64_t random = 9;
     int through = 0;
     for (int i = 0; i < 60; i++) {
@@ -224,7 +198,7 @@ static void a_hall_is_open_at_its_windows(void **state)
 
 static void a_cave_is_open_at_its_mouth(void **state)
 {
-    const struct world *world = build(*state, "cave", (const double[3]){14, 10, 16});
+    const struct world *world = build_shape(*state, "cave", (const double[3]){14, 10, 16});
     for (int i = 0; i < 40; i++) {
         double angle = M_PI * (i + 0.5) / 40, back = -0.3 + 0.6 * (i % 7) / 7;
         const double from[3] = {-2, 1.5, 0.1}, way[3] = {back, sin(angle), cos(angle)};
@@ -246,7 +220,7 @@ static void solids_are_closed(void **state)
     struct fixture *fixture = *state;
     uint64_t random = 4;
     for (int s = 0; s < 2; s++) {
-        const struct world *world = build(fixture, solids[s].shape, solids[s].size);
+        const struct world *world = build_shape(fixture, solids[s].shape, solids[s].size);
         for (int i = 0; i < 300; i++) {
             double from[3], way[3];
             for (int c = 0; c < 3; c++) {
@@ -261,7 +235,7 @@ static void solids_are_closed(void **state)
 /* So thin that chance does not find them: a ladder's feet, which end behind the tubes. */
 static void tubes_have_ends(void **state)
 {
-    const struct world *world = build(*state, "ladder", (const double[3]){0.6, 1.8, 0.5});
+    const struct world *world = build_shape(*state, "ladder", (const double[3]){0.6, 1.8, 0.5});
     for (int side = -1; side <= 1; side += 2) {
         const double from[3] = {0.28 * side + 0.003, 0.025, -5}, way[3] = {0.0001, 0.0002, 1};
         const struct crossing crossing = cross_ray(world, from, way);
@@ -273,7 +247,7 @@ static void tubes_have_ends(void **state)
 /* Of a boat, the outside shows planks, and from above one sees into it. */
 static void a_hull_has_two_sides(void **state)
 {
-    const struct world *world = build(*state, "hull", (const double[3]){6, 1.6, 2.1});
+    const struct world *world = build_shape(*state, "hull", (const double[3]){6, 1.6, 2.1});
     for (int i = 0; i < 20; i++) {
         double x = -2.6 + 0.2 * i;
         expect_seen(world, (const double[3]){x, 1.9, 3}, (const double[3]){0.001, -0.4, -1}, 2, "side");
@@ -296,7 +270,7 @@ static void a_mesh_is_scaled_to_fit(void **state)
     EXPECT_ERROR(&fixture->log, DPL_REASON_VALUE, "object.a.file", ".obj");
     support_set(fixture->scene, "object.a.file", "%s", path);
     support_set(fixture->scene, "object.a.color", "0.25 0.5 1");
-    const struct world *world = build(fixture, "mesh", (const double[3]){3, 0.5, 4});
+    const struct world *world = build_shape(fixture, "mesh", (const double[3]){3, 0.5, 4});
     const double low[3] = {-0.5, 0, -1}, high[3] = {0.5, 0.5, 1};
     for (int c = 0; c < 3; c++) {
         if (!(fabs(world->low[c] - low[c]) < 1e-6 && fabs(world->high[c] - high[c]) < 1e-6))

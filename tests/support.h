@@ -77,6 +77,17 @@ static inline double support_random_unit(uint64_t *state)
     return support_random(state) / 4294967296.0;
 }
 
+/* Writes a text into a file of a folder. */
+static inline void support_file_write(const char *folder, const char *name, const char *text)
+{
+    char path[256];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    FILE *stream = fopen(path, "wb");
+    assert_non_null(stream);
+    fputs(text, stream);
+    fclose(stream);
+}
+
 /* A new scene from scene text. */
 static inline struct dpl_scene *support_scene(const char *text, const struct dpl_log *log)
 {

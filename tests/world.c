@@ -1,44 +1,8 @@
 /* The objects of a scene as triangles: what every shape keeps to, where copies stand, and when a world is made anew. */
-#include "support.h"
+#include "world.h"
 
 #include "scene/shape.h"
-#include "scene/world.h"
 #include "scene/world_builder.h"
-
-struct fixture {
-    struct support_log log;
-    struct dpl_scene *scene;
-    struct world world;
-};
-
-static int setup(void **state)
-{
-    struct fixture *fixture = calloc(1, sizeof *fixture);
-    fixture->scene = dpl_scene_create(support_log_start(&fixture->log));
-    *state = fixture;
-    return 0;
-}
-
-static int teardown(void **state)
-{
-    struct fixture *fixture = *state;
-    world_finish(&fixture->world);
-    dpl_scene_destroy(fixture->scene);
-    free(fixture);
-    return 0;
-}
-
-static void build(struct fixture *fixture)
-{
-    if (!world_build(&fixture->world, fixture->scene, &fixture->log.log))
-        fail_msg("%s", fixture->log.text);
-}
-
-static void expect_near(double found, double wanted, double tolerance)
-{
-    if (!(fabs(found - wanted) <= tolerance))
-        fail_msg("%.9g, not %.9g", found, wanted);
-}
 
 static void subtract(const float a[3], const float b[3], double out[3])
 {

@@ -1,46 +1,7 @@
 /* The floor's relief, what sways above it, and the patterns that things are laid with. */
-#include "support.h"
+#include "world.h"
 
 #include "scene/scene.h"
-#include "scene/world.h"
-
-struct fixture {
-    struct support_log log;
-    struct dpl_scene *scene;
-    struct world world;
-    char folder[64];
-};
-
-static int setup(void **state)
-{
-    struct fixture *fixture = calloc(1, sizeof *fixture);
-    fixture->scene = dpl_scene_create(support_log_start(&fixture->log));
-    support_folder_make(fixture->folder);
-    *state = fixture;
-    return 0;
-}
-
-static int teardown(void **state)
-{
-    struct fixture *fixture = *state;
-    world_finish(&fixture->world);
-    dpl_scene_destroy(fixture->scene);
-    support_folder_count(fixture->folder, true);
-    free(fixture);
-    return 0;
-}
-
-static void build(struct fixture *fixture)
-{
-    if (!world_build(&fixture->world, fixture->scene, &fixture->log.log))
-        fail_msg("%s", fixture->log.text);
-}
-
-static void expect_near(double found, double wanted, double tolerance)
-{
-    if (!(fabs(found - wanted) <= tolerance))
-        fail_msg("%.9g, not %.9g", found, wanted);
-}
 
 static void a_flat_floor_has_no_relief(void **state)
 {
