@@ -265,8 +265,8 @@ if command -v ffmpeg >/dev/null && command -v ffprobe >/dev/null; then
     PATH=$scratch/fails:$real_path refuses 1 'exit code 3' render rings $video -o a.mp4
     PATH=$scratch/dies:$real_path refuses 1 'signal 9' render rings $video -o a.mp4
     # a folder that takes the video away from under it
-    mkdir "$scratch/full" && mount -t tmpfs -o size=16k none "$scratch/full" 2>/dev/null && {
-        refuses 1 'a.mp4' render rings $video --size 640x480 -o "$scratch/full/a.mp4"
+    mkdir "$scratch/full" && mount -t tmpfs -o size=4k none "$scratch/full" 2>/dev/null && {
+        refuses 1 'a.mp4' render rings $video --size 320x240 --frames 8 -o "$scratch/full/a.mp4"
         refuses 1 'a.exr' map --map 128 -o "$scratch/full/a.exr"
         [ -z "$(ls -A "$scratch/full")" ] || fail 'a full disk keeps half a file'
         umount "$scratch/full"

@@ -9,13 +9,6 @@
 
 #define CHANGES 500 /* a format */
 
-/* Asked by LeakSanitizer: assimp 5.2 itself loses what it has of some files that it refuses. */
-__attribute__((visibility("default"))) const char *__lsan_default_suppressions(void);
-const char *__lsan_default_suppressions(void)
-{
-    return "leak:libassimp.so";
-}
-
 struct fixture {
     struct support_log log;
     char folder[64], path[512];
