@@ -8,7 +8,6 @@
 #include "render/line.glsl"
 #include "optics/refraction.glsl"
 #include "render/sky.glsl"
-#include "render/volume.glsl"
 #include "render/shafts_read.glsl"
 uniform sampler2D direct_color, direct_depth, through_color, through_depth;
 uniform float tile_floor; /* m, y of the floor */
@@ -39,7 +38,7 @@ vec3 behind_pane(vec3 ray, vec3 there, vec3 behind)
     float share = optics_fresnel_reflectance(cosine, ior);
     vec3 back = reflect(ray, plane.xyz);
     vec3 inside = found.rgb + (1.0 - found.a) * ior * ior * behind;
-    inside = inside * exp(-extinction * way) + volume_glow(there, bent, way) + shafts_read(target, way);
+    inside = shafts_sight(inside, there, bent, way, target);
     return share * sky_radiance(back, 0.0) + (1.0 - share) / (ior * ior) * inside;
 }
 
@@ -56,6 +55,6 @@ void main()
     else if (side > 0.0)
         color = vec4(behind, 1.0);
     else
-        color = vec4(solid.rgb * exp(-extinction * way) + volume_glow(eye, ray, way) + shafts_read(target, way), 1.0);
+        color = vec4(shafts_sight(solid.rgb, eye, ray, way, target), 1.0);
 }
 #endif

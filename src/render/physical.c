@@ -17,12 +17,13 @@ static const double degree = M_PI / 180;
 static void scatter(struct physical_light *light, const struct water_medium *medium)
 {
     struct optics_water water = water_optics(medium);
-    double g = water.anisotropy;
-    light->asymmetry = g / (1 + g);
+    light->anisotropy = water.anisotropy;
     for (int c = 0; c < 3; c++) {
-        light->scattering[c] = water.scattering[c] * (1 - g * g);
-        light->extinction[c] = water.absorption[c] + light->scattering[c];
-        light->diffuse_extinction[c] = DIFFUSE_SLANT * (water.absorption[c] + BACKWARD * light->scattering[c]);
+        double rest = water.scattering[c] * (1 - water.anisotropy * water.anisotropy);
+        light->absorption[c] = water.absorption[c];
+        light->scattering[c] = water.scattering[c];
+        light->extinction[c] = water.absorption[c] + rest;
+        light->diffuse_extinction[c] = DIFFUSE_SLANT * (water.absorption[c] + BACKWARD * rest);
     }
 }
 
@@ -82,10 +83,12 @@ static void bind_light(const struct physical *physical, const struct frame *fram
     program_vec3(gl, program, "sun_reflected", light->sun_reflected);
     program_float(gl, program, "sun_spread", light->sun_spread);
     program_vec3(gl, program, "diffuse_below", light->diffuse_below);
+    program_vec3(gl, program, "absorption", light->absorption);
     program_vec3(gl, program, "extinction", light->extinction);
     program_vec3(gl, program, "scattering", light->scattering);
     program_vec3(gl, program, "diffuse_extinction", light->diffuse_extinction);
-    program_float(gl, program, "asymmetry", light->asymmetry);
+    program_float(gl, program, "anisotropy", light->anisotropy);
+    program_float(gl, program, "diffuse_slant", DIFFUSE_SLANT);
     program_vec3(gl, program, "floor_radiance", light->floor_radiance);
     program_vec3(gl, program, "ground_radiance", physical->sky_texture.ground);
     texture_bind(gl, &physical->sky_texture.texels, UNIT_SKY);

@@ -96,13 +96,13 @@ vec3 open_water(vec3 ray)
         to_edge = waves_extent / max(length(ray.xz), 1e-3);
     vec3 behind = pane != 0 && to_edge < to_floor ? ior * ior * sky_radiance(ray, 0.0) : floor_radiance;
     float way = min(to_floor, to_edge);
-    return behind * exp(-extinction * way) + volume_glow_surface(ray, way);
+    return behind * exp(-extinction * way) + volume_glow(0.0, ray, way);
 }
 
 /* What a layer shows in the water, so far off along a ray from the surface; where it is there in part, all of it. */
 vec3 layer_through_water(vec4 found, vec3 ray, float way)
 {
-    return found.rgb / max(found.a, 1e-3) * exp(-extinction * way) + volume_glow_surface(ray, way);
+    return found.rgb / max(found.a, 1e-3) * exp(-extinction * way) + volume_glow(0.0, ray, way);
 }
 
 #ifdef ABOVE
@@ -172,8 +172,7 @@ void main()
     vec3 radiance = thrown_and_let(to_eye, normal, slope);
 #ifndef ABOVE
 #ifndef PANE
-    radiance = radiance * exp(-extinction * way) + volume_glow(eye, -to_eye, way) +
-               shafts_read(gl_FragCoord.xy / picture, way);
+    radiance = shafts_sight(radiance, eye, -to_eye, way, gl_FragCoord.xy / picture);
 #endif
 #endif
     color = vec4(radiance, 1.0);

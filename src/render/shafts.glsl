@@ -17,6 +17,8 @@ uniform vec2 shafts_corner; /* texels, of this picture in the whole */
 uniform float pixel;     /* m that a texel of this picture is wide, for each m of way */
 out vec4 color;
 
+const float BLUR = 0.5; /* share of what is scattered that goes too far aside to keep a shaft a shaft */
+
 /* The sun's light at a point in units of flat water's, by the nearest layer along its way; `width` m around. */
 vec3 light_here(vec3 point, float width, float random)
 {
@@ -53,15 +55,19 @@ void main()
     /* Where the water has taken all but a thousandth there is nothing to see. */
     float clearest = min(min(extinction.r, extinction.g), extinction.b), reach = min(end, 7.0 / max(clearest, 1e-3));
     vec2 random = texelFetch(noise, ivec2(gl_FragCoord.xy + shafts_corner) & 63, 0).rg;
+    float cosine = dot(sun_way, -ray);
     vec3 sum = vec3(0.0);
     for (int i = 0; i < steps; i++) {
         /* steps as short near the eye as the texels are small there: way = reach x² */
         float x = (float(i) + random.x) / float(steps), way = reach * x * x, step_way = 2.0 * reach * x / float(steps);
         vec3 point = start + ray * way;
         float width = max(way * pixel, 0.05 * step_way);
-        vec3 light = solid_before_sun(point) ? vec3(0.0) : light_here(point, width, random.y);
-        sum += (light - 1.0) * volume_sun(max(-point.y, 0.0)) * exp(-extinction * way) * step_way;
+        vec3 whole = vec3(way + max(-point.y, 0.0) / -sun_way.y);
+        vec3 more = solid_before_sun(point)
+                        ? vec3(-1.0)
+                        : (light_here(point, width, random.y) - 1.0) * exp(-BLUR * scattering * whole);
+        sum += more * volume_source(cosine, 1.0, whole) * step_way;
     }
-    color = vec4(scattering * sun_below * optics_phase(dot(sun_way, -ray), asymmetry) * sum, end);
+    color = vec4(sun_below * sum, end);
 }
 #endif

@@ -1,4 +1,6 @@
 /* What light shafts add to a sight, from the picture of them (render/shafts.c). */
+#include "render/volume.glsl"
+
 uniform sampler2D shafts_texels; /* radiance, and the way in m to where it ends; smaller than the picture */
 uniform int shafts;              /* 0: there are none */
 
@@ -18,4 +20,12 @@ vec3 shafts_read(vec2 place, float way)
         sum += weight * vec4(found.rgb, 1.0);
     }
     return sum.rgb / sum.a;
+}
+
+/* What is `way` metres off along `ray` from a place in the water, seen with the water's glow and its shafts; `place`: of
+ * the picture. Where a shadow takes all of the glow, the steps of the one and the sum of the other leave a little. */
+vec3 shafts_sight(vec3 seen, vec3 start, vec3 ray, float way, vec2 place)
+{
+    vec3 glow = volume_glow(max(-start.y, 0.0), ray, way) + shafts_read(place, way);
+    return seen * exp(-extinction * way) + max(glow, 0.0);
 }

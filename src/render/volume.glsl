@@ -2,25 +2,17 @@
  *
  * Sea water scatters so much forwards that what it scatters within a few degrees may count as not scattered at all: the
  * phase function is a peak, share g², and a smooth rest of asymmetry g / (1 + g) (Joseph, Wiscombe & Weinman 1976, eqs.
- * 2, 5). `extinction` is absorption and scattering without the peak. */
+ * 2, 5). `extinction` is absorption and scattering without the peak: what is seen through water, and the caustics, lose
+ * that. The glow of the water has the peak too, and light that is scattered many times (volume_source). */
 #include "optics/phase.glsl"
 
-uniform vec3 extinction, scattering; /* 1/m, of the rest alone */
+uniform vec3 absorption, scattering, extinction; /* 1/m */
+uniform float anisotropy;            /* mean cosine of the angle of scattering */
 uniform vec3 diffuse_extinction;     /* 1/m of depth, of light from all around */
-uniform float asymmetry;             /* of the rest */
+uniform float diffuse_slant;         /* m of its way for each m of depth */
 uniform vec3 sun_way;                /* unit vector, of the sun's light under flat water */
 uniform vec3 sun_below;              /* irradiance across sun_way just below flat water */
 uniform vec3 diffuse_below;          /* irradiance of light from all around, on a horizontal surface there */
-
-const float VOLUME_PI = 3.14159265;
-
-/* The integral of exp(-rate s) for s from 0 to `way`. */
-vec3 volume_integral(vec3 rate, float way)
-{
-    vec3 x = rate * way;
-    vec3 small = step(abs(x), vec3(1e-3));
-    return way * mix((1.0 - exp(-max(x, -20.0))) / mix(x, vec3(1.0), small), 1.0 - 0.5 * x, small);
-}
 
 /* What is left of the sun's light at a depth below the rest surface, in m. */
 vec3 volume_sun(float depth)
@@ -32,35 +24,44 @@ vec3 volume_sun(float depth)
  * surface; `straight` is what is left of the beam. */
 vec3 volume_scattered(float depth, vec3 straight)
 {
-    vec3 taken = exp(-(extinction - scattering) * depth / -sun_way.y) - straight;
+    vec3 taken = exp(-absorption * depth / -sun_way.y) - straight;
     return 0.8 * -sun_way.y * sun_below * max(taken, 0.0);
 }
 
-/* Light from all around at a depth, on a horizontal surface: the sky's, and what is scattered. */
-vec3 volume_diffuse(float depth)
+/* Radiance that a metre of sight gains for each unit of irradiance from one direction, where light has gone `way`
+ * metres in the water when it arrives; `cosine`: between the light's way and the way to the eye.
+ *
+ * On its way light is scattered n times, with Poisson's probability for a mean x = scattering way; each of the n may be
+ * the one here, and after n times the phase function is again Henyey & Greenstein's, of anisotropy to the power n. The sum
+ * over all n >= 1 is (1 - exp(-x)) / x times the phase function of about the mean n. */
+vec3 volume_source(float cosine, float narrow, vec3 way)
 {
-    return diffuse_below * exp(-diffuse_extinction * depth) + volume_scattered(depth, volume_sun(depth));
+    vec3 x = max(scattering * way, 1e-3), share = (1.0 - exp(-x)) / x;
+    vec3 g = sign(anisotropy) * pow(vec3(abs(anisotropy) * narrow), 1.0 / share);
+    return scattering * share * optics_phase(cosine, g) * exp(-absorption * way);
 }
 
-/* Light that is scattered into a sight of `way` metres along `ray`, where the sun's is that of flat water; from a place
- * where the sun's light across its way, and the diffuse light on a horizontal surface, are those. */
-vec3 volume_glow_from(vec3 sun_there, vec3 diffuse_there, vec3 ray, float way)
+/* What light from one direction adds to a sight of `way` metres along `ray` from a depth; `light`: its irradiance just
+ * below the surface, `slant`: metres of its way for each of depth. By Gauss's three points, spread as the light fades. */
+vec3 volume_glow_of(vec3 light, vec3 light_way, float slant, float narrow, float depth, vec3 ray, float way)
 {
-    vec3 sun_rate = extinction * (1.0 - ray.y / -sun_way.y), diffuse_rate = extinction - diffuse_extinction * ray.y;
-    /* light comes along sun_way and goes on along -ray */
-    vec3 sun = sun_there * optics_phase(dot(sun_way, -ray), asymmetry);
-    vec3 diffuse = diffuse_there / (2.0 * VOLUME_PI);
-    return scattering * (sun * volume_integral(sun_rate, way) + diffuse * volume_integral(diffuse_rate, way));
+    float growth = 1.0 - ray.y * slant, sight = max(way, 1e-4);
+    vec3 x = max((absorption + 0.5 * scattering) * growth * sight, -60.0);
+    x = mix(x, vec3(1e-3), lessThan(abs(x), vec3(1e-3)));
+    vec3 sum = vec3(0.0), faded = 1.0 - exp(-x);
+    for (int i = 0; i < 3; i++) {
+        float u = 0.5 + 0.38729833 * float(i - 1);
+        vec3 left = 1.0 - u * faded, there = -log(left) / x * sight;
+        sum += (i == 1 ? 4.0 / 9.0 : 2.5 / 9.0) * faded / (x * left) *
+               volume_source(dot(light_way, -ray), narrow, depth * slant + growth * there);
+    }
+    return light * sum * sight;
 }
 
-vec3 volume_glow(vec3 start, vec3 ray, float way)
+/* What flat water's light adds to a sight of `way` metres along `ray` that starts at a depth. */
+vec3 volume_glow(float depth, vec3 ray, float way)
 {
-    float depth = max(-start.y, 0.0);
-    return volume_glow_from(sun_below * volume_sun(depth), volume_diffuse(depth), ray, way);
-}
-
-/* The same from the rest surface. */
-vec3 volume_glow_surface(vec3 ray, float way)
-{
-    return volume_glow_from(sun_below, diffuse_below, ray, way);
+    return volume_glow_of(sun_below, sun_way, 1.0 / -sun_way.y, 1.0, depth, ray, way) +
+           volume_glow_of(diffuse_below * diffuse_slant, vec3(0.0, -1.0, 0.0), diffuse_slant, 1.0 / diffuse_slant, depth,
+                          ray, way);
 }
