@@ -8,7 +8,7 @@ static double bake(struct place *place, double x, double y, double z, double up,
 {
     const float position[3] = {(float)x, (float)y, (float)z}, normal[3] = {0, (float)up, 0};
     float irradiance[3];
-    assert_true(ambient_bake(&place->world, 1, position, normal, rays, irradiance, NULL));
+    assert_true(ambient_bake(&place->world, 1, position, normal, &rays, irradiance, NULL));
     return (double)irradiance[1];
 }
 
@@ -96,6 +96,7 @@ static void threads_do_not_show(void **state)
 {
     enum { COUNT = 2000, RAYS = 16 };
     static float positions[3 * COUNT], normals[3 * COUNT], first[3 * COUNT], second[3 * COUNT];
+    static int rays[COUNT];
     struct place *place = *state;
     shine(place, 1, 5);
     place->world.water.half = INFINITY;
@@ -106,11 +107,12 @@ static void threads_do_not_show(void **state)
         for (int c = 0; c < 3; c++)
             positions[3 * i + c] = (float)sin(i * (12.9 + c));
         normals[3 * i + i % 3] = 1;
+        rays[i] = RAYS;
     }
     omp_set_num_threads(1);
-    assert_true(ambient_bake(&place->world, COUNT, positions, normals, RAYS, first, NULL));
+    assert_true(ambient_bake(&place->world, COUNT, positions, normals, rays, first, NULL));
     omp_set_num_threads(2);
-    assert_true(ambient_bake(&place->world, COUNT, positions, normals, RAYS, second, NULL));
+    assert_true(ambient_bake(&place->world, COUNT, positions, normals, rays, second, NULL));
     assert_memory_equal(first, second, sizeof first);
 }
 

@@ -51,8 +51,8 @@ static void straighten(struct optics_water *water)
     water->anisotropy = g > 0 ? g / (1 + g) : water->anisotropy;
 }
 
-bool ambient_bake(const struct camera_world *world, int count, const float *positions, const float *normals, int rays,
-                  float *irradiance, const struct dpl_log *log)
+bool ambient_bake(const struct camera_world *world, int count, const float *positions, const float *normals,
+                  const int *rays, float *irradiance, const struct dpl_log *log)
 {
     struct camera_world still = *world;
     struct camera_scene scene;
@@ -63,7 +63,7 @@ bool ambient_bake(const struct camera_world *world, int count, const float *posi
     const struct camera_path path = {.scene = &scene, .bounces = BOUNCES};
 #pragma omp parallel for schedule(dynamic, 64)
     for (int i = 0; i < count; i++)
-        bake(&path, i, positions + 3 * (size_t)i, normals + 3 * (size_t)i, rays, irradiance + 3 * (size_t)i);
+        bake(&path, i, positions + 3 * (size_t)i, normals + 3 * (size_t)i, rays[i], irradiance + 3 * (size_t)i);
     camera_scene_finish(&scene);
     return true;
 }

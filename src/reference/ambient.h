@@ -8,10 +8,11 @@
 
 #include "reference/camera_world.h"
 
-/* Irradiance at `count` places on surfaces of those normals, `count` × 3 each, by `rays` paths from each; what waves
- * the water has makes no difference. All places use the same directions about their normals, turned for each, so that
- * what noise there is varies evenly. The same for any number of threads. False (logged): no memory. */
-bool ambient_bake(const struct camera_world *world, int count, const float *positions, const float *normals, int rays,
-                  float *irradiance, const struct dpl_log *log);
+/* Irradiance at `count` places on surfaces of those normals, `count` × 3 each, by as many paths from each as `rays`
+ * says of it; what waves the water has makes no difference. All places use the same directions about their normals,
+ * turned for each, so that what noise there is varies evenly. The same for any number of threads. False (logged): no
+ * memory. */
+bool ambient_bake(const struct camera_world *world, int count, const float *positions, const float *normals,
+                  const int *rays, float *irradiance, const struct dpl_log *log);
 
 #endif

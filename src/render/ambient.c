@@ -11,24 +11,34 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define FLOOR_SIDE 48    /* points of the floor a side */
-#define FLOOR_MARGIN 2.0 /* m of floor around the solids */
+#define FLOOR_SIDE 48     /* points of the floor a side */
+#define FLOOR_MARGIN 2.0  /* m of floor around the solids */
+#define WHOLE_SPACING 0.3 /* m between the probes of a part that have all rays */
+#define LEAST_RAYS 0.25   /* share of them */
 
-static bool trace_probes(struct probes *probes, const struct traced_world *traced, int rays, const struct dpl_log *log)
+/* A probe of a small part, which stands for little of a picture, has fewer rays. */
+static int rays_of(const struct probes *probes, const struct probe *probe, int rays)
+{
+    return (int)(rays * fmax(fmin(probes->spacing[probe->part] / WHOLE_SPACING, 1), LEAST_RAYS));
+}
+
+static bool trace_probes(struct probes *probes, const struct traced_world *traced, int most, const struct dpl_log *log)
 {
     size_t count = (size_t)probes->count;
     float *room = base_allocate(log, count * 9 + 1, sizeof *room, "ambient light");
-    if (!room)
-        return false;
+    int *rays = base_allocate(log, count + 1, sizeof *rays, "ambient light");
+    bool ok = room && rays;
     float *places = room, *normals = room + 3 * count, *irradiance = room + 6 * count;
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; ok && i < count; i++) {
         memcpy(places + 3 * i, probes->all[i].position, 3 * sizeof *room);
         memcpy(normals + 3 * i, probes->all[i].normal, 3 * sizeof *room);
+        rays[i] = rays_of(probes, probes->all + i, most);
     }
-    bool ok = ambient_bake(&traced->camera, probes->count, places, normals, rays, irradiance, log);
-    for (size_t i = 0; i < count; i++)
+    ok = ok && ambient_bake(&traced->camera, probes->count, places, normals, rays, irradiance, log);
+    for (size_t i = 0; ok && i < count; i++)
         memcpy(probes->all[i].irradiance, irradiance + 3 * i, 3 * sizeof *room);
     free(room);
+    free(rays);
     return ok;
 }
 
@@ -87,19 +97,22 @@ static bool bake_floor(struct physical *physical, const struct frame *frame, con
     int side = frame_floor(&physical->world, seabed->ambient_square);
     size_t count = (size_t)(side * side);
     float *room = base_allocate(log, count * 13, sizeof *room, "ambient light");
-    if (!room)
-        return false;
+    int *rays = base_allocate(log, count, sizeof *rays, "ambient light");
+    bool ok = room && rays;
     float *places = room, *normals = room + 3 * count, *irradiance = room + 6 * count, *texels = room + 9 * count;
-    place_floor(physical, frame, side, places, normals);
-    bool ok =
-        ambient_bake(&traced->camera, (int)count, places, normals, physical->quality.ambient_rays, irradiance, log);
-    for (size_t i = 0; i < count; i++)
+    if (ok)
+        place_floor(physical, frame, side, places, normals);
+    for (size_t i = 0; ok && i < count; i++)
+        rays[i] = physical->quality.ambient_rays;
+    ok = ok && ambient_bake(&traced->camera, (int)count, places, normals, rays, irradiance, log);
+    for (size_t i = 0; ok && i < count; i++)
         memcpy(texels + 4 * i, irradiance + 3 * i, 3 * sizeof *texels);
     if (ok) {
         texture_resize(frame->gl, &seabed->ambient, GL_RGBA16F, side, side, TEXTURE_CLAMP, TEXTURE_LINEAR);
         texture_upload(frame->gl, &seabed->ambient, texels);
     }
     free(room);
+    free(rays);
     return ok;
 }
 

@@ -55,15 +55,19 @@ static int compare(const void *left, const void *right)
 /* One for each vertex of each part, sorted. */
 static bool list_vertices(struct probes *probes, const struct world *world, const struct dpl_log *log)
 {
-    bool *seen = base_allocate(log, (size_t)world->vertex_count + 1, sizeof *seen, "light probes");
+    probes->parts = base_allocate(log, (size_t)world->vertex_count + 1, sizeof *probes->parts, "light probes");
     probes->all = base_allocate(log, (size_t)world->index_count + 1, sizeof *probes->all, "light probes");
-    for (int p = 0; seen && probes->all && p < world->part_count; p++) {
+    if (!probes->parts || !probes->all)
+        return false;
+    for (int i = 0; i < world->vertex_count; i++)
+        probes->parts[i] = -1;
+    for (int p = 0; p < world->part_count; p++) {
         const struct world_part *part = world->parts + p;
         for (int i = part->first; i < part->first + part->count; i++) {
             const struct world_vertex *vertex = world->vertices + world->indices[i];
-            if (seen[world->indices[i]])
+            if (probes->parts[world->indices[i]] >= 0)
                 continue;
-            seen[world->indices[i]] = true;
+            probes->parts[world->indices[i]] = p;
             struct probe *probe = probes->all + probes->count++;
             probe->part = p;
             find_cell(vertex->position, probes->spacing[p], probe->cell);
@@ -71,11 +75,8 @@ static bool list_vertices(struct probes *probes, const struct world *world, cons
             memcpy(probe->normal, vertex->normal, sizeof probe->normal);
         }
     }
-    bool ok = seen && probes->all;
-    free(seen);
-    if (ok)
-        qsort(probes->all, (size_t)probes->count, sizeof *probes->all, compare);
-    return ok;
+    qsort(probes->all, (size_t)probes->count, sizeof *probes->all, compare);
+    return true;
 }
 
 /* Of those in one cell, keeps the first of each way that they face. */
@@ -157,19 +158,16 @@ static void spread_vertex(const struct probes *probes, int part, const struct wo
 
 void probes_spread(const struct probes *probes, const struct world *world, float *irradiance)
 {
-    for (int p = 0; p < world->part_count; p++) {
-        const struct world_part *part = world->parts + p;
-#pragma omp parallel for schedule(static)
-        for (int i = part->first; i < part->first + part->count; i++) {
-            unsigned v = world->indices[i];
-            spread_vertex(probes, p, world->vertices + v, irradiance + 3 * v);
-        }
-    }
+#pragma omp parallel for schedule(dynamic, 256)
+    for (int i = 0; i < world->vertex_count; i++)
+        if (probes->parts[i] >= 0)
+            spread_vertex(probes, probes->parts[i], world->vertices + i, irradiance + 3 * (size_t)i);
 }
 
 void probes_finish(struct probes *probes)
 {
     free(probes->all);
     free(probes->spacing);
+    free(probes->parts);
     *probes = (struct probes){0};
 }

@@ -21,6 +21,7 @@ struct probes {
     struct probe *all; /* sorted by part and cell */
     int count, room;
     double *spacing; /* m, the side of a cell, of each part */
+    int *parts;      /* of each vertex; -1: of none */
 };
 
 /* Places them on the world. False (logged): no memory. */
