@@ -28,7 +28,8 @@ static const char optics_shader[] =
     "    if (gl_FragCoord.x > 1.0)\n"
     "        color = vec4(optics_reflect(sun, normal), optics_transmittance(sun, ior).y);\n"
     "    if (gl_FragCoord.x > 2.0)\n"
-    "        color = vec4(optics_phase(sun.y, vec3(0.9, 1.0 - 1.0 / ior, -0.5)), optics_phase(1.0, vec3(0.0)).z);\n"
+    "        color = vec4(optics_phase(sun.y, 0.9), optics_phase(sun.x, 1.0 - 1.0 / ior), optics_phase(sun.z, -0.5),\n"
+    "                     optics_phase(1.0, 0.0));\n"
     "}\n"
     "#endif\n";
 
@@ -53,8 +54,8 @@ static void check_optics(struct dpl_gl *gl, const struct gpu_program *program, c
     optics_reflect(sun, normal, wanted[1]);
     wanted[1][3] = optics_transmittance(sun[1], ior);
     wanted[2][0] = optics_phase(sun[1], 0.9);
-    wanted[2][1] = optics_phase(sun[1], 1 - 1 / ior);
-    wanted[2][2] = optics_phase(sun[1], -0.5);
+    wanted[2][1] = optics_phase(sun[0], 1 - 1 / ior);
+    wanted[2][2] = optics_phase(sun[2], -0.5);
     wanted[2][3] = optics_phase(1, 0);
     for (int i = 0; i < 12; i++)
         assert_true(fabs((double)got[i / 4][i % 4] - wanted[i / 4][i % 4]) < 2e-5 * fmax(1, wanted[i / 4][i % 4]));

@@ -1,8 +1,8 @@
-/* The GPU's twin of phase.c, for red, green and blue. */
+/* The GPU's twin of phase.c. */
 
-vec3 optics_phase(float cosine, vec3 anisotropy)
+float optics_phase(float cosine, float anisotropy)
 {
-    vec3 g = anisotropy;
-    vec3 square = max((1.0 - g) * (1.0 - g) + 2.0 * g * (1.0 - cosine), 1e-8);
+    float g = anisotropy;
+    float square = max((1.0 - g) * (1.0 - g) + 2.0 * g * (1.0 - cosine), 1e-8);
     return (1.0 - g * g) / (12.566370614 * square * sqrt(square));
 }

@@ -87,22 +87,17 @@ vec3 glint(vec3 to_eye, vec2 slopes, float variance)
     return sun_irradiance * share * density / (4.0 * square * square * max(to_eye.y, 0.05));
 }
 
-/* What a ray that goes down from the surface sees where the layers have nothing: the floor, or where the water ends
- * before it, what is behind a pane, or as much as the floor. */
-vec3 open_water(vec3 ray)
+/* What a ray that goes down from the surface sees: what a layer has `way` metres along it, where it has something in
+ * part all of it; elsewhere the floor, or where the water ends before it, what is behind a pane, or as much as the
+ * floor. */
+vec3 seen_below(vec4 found, vec3 ray, float way)
 {
     float to_floor = (tile_floor - position.y) / min(ray.y, -1e-3), to_edge = planes.y;
     if (waves_extent > 0.0)
         to_edge = waves_extent / max(length(ray.xz), 1e-3);
     vec3 behind = pane != 0 && to_edge < to_floor ? ior * ior * sky_radiance(ray, 0.0) : floor_radiance;
-    float way = min(to_floor, to_edge);
-    return behind * exp(-extinction * way) + volume_glow(0.0, ray, way);
-}
-
-/* What a layer shows in the water, so far off along a ray from the surface; where it is there in part, all of it. */
-vec3 layer_through_water(vec4 found, vec3 ray, float way)
-{
-    return found.rgb / max(found.a, 1e-3) * exp(-extinction * way) + volume_glow(0.0, ray, way);
+    way = mix(min(to_floor, to_edge), way, found.a);
+    return (found.rgb + (1.0 - found.a) * behind) * exp(-extinction * way) + volume_glow(0.0, ray, way);
 }
 
 #ifdef ABOVE
@@ -120,7 +115,7 @@ vec3 thrown_and_let(vec3 to_eye, vec3 normal, vec3 slope)
 #endif
     vec3 thrown = mirrored.rgb + (1.0 - mirrored.a) * sky_radiance(back, 2.0 * roughness);
     vec4 below = layer_color(through_color, through_depth, LAYER_THROUGH, into, way);
-    vec3 let = mix(open_water(into), layer_through_water(below, into, way), below.a);
+    vec3 let = seen_below(below, into, way);
     vec3 sparkle = glint(to_eye, slope.xy, slope.z);
     sparkle *= shadow_light(position, vec3(0.0), to_sun, max(max(sparkle.r, sparkle.g), sparkle.b) > 1e-4);
     return share * thrown + (1.0 - share) / (ior * ior) * let + sparkle;
@@ -134,7 +129,7 @@ vec3 thrown_and_let(vec3 to_eye, vec3 normal, vec3 slope)
     float share = leaves ? optics_fresnel_reflectance(max(dot(out_of, normal), 0.0), ior) : 1.0;
     back.y = -abs(back.y);
     vec4 mirrored = layer_color(mirror_color, mirror_depth, LAYER_MIRROR, back, way);
-    vec3 thrown = mix(open_water(back), layer_through_water(mirrored, back, way), mirrored.a);
+    vec3 thrown = seen_below(mirrored, back, way);
 #ifdef PANE
     vec4 above = vec4(0.0); /* the layer is that of the pane */
 #else

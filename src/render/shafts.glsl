@@ -62,7 +62,7 @@ void main()
         float x = (float(i) + random.x) / float(steps), way = reach * x * x, step_way = 2.0 * reach * x / float(steps);
         vec3 point = start + ray * way;
         float width = max(way * pixel, 0.05 * step_way);
-        vec3 whole = vec3(way + max(-point.y, 0.0) / -sun_way.y);
+        float whole = way + max(-point.y, 0.0) / -sun_way.y;
         vec3 more = solid_before_sun(point)
                         ? vec3(-1.0)
                         : (light_here(point, width, random.y) - 1.0) * exp(-BLUR * scattering * whole);

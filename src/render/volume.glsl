@@ -29,33 +29,30 @@ vec3 volume_scattered(float depth, vec3 straight)
 }
 
 /* Radiance that a metre of sight gains for each unit of irradiance from one direction, where light has gone `way`
- * metres in the water when it arrives; `cosine`: between the light's way and the way to the eye.
+ * metres in the water when it arrives; `cosine`: between the light's way and the way to the eye; `narrow`: 1, or the
+ * mean cosine of light that comes from around the direction.
  *
  * On its way light is scattered n times, with Poisson's probability for a mean x = scattering way; each of the n may be
  * the one here, and after n times the phase function is again Henyey & Greenstein's, of anisotropy to the power n. The sum
  * over all n >= 1 is (1 - exp(-x)) / x times the phase function of about the mean n. */
-vec3 volume_source(float cosine, float narrow, vec3 way)
+vec3 volume_source(float cosine, float narrow, float way)
 {
     vec3 x = max(scattering * way, 1e-3), share = (1.0 - exp(-x)) / x;
-    vec3 g = sign(anisotropy) * pow(vec3(abs(anisotropy) * narrow), 1.0 / share);
+    float g = sign(anisotropy) * pow(abs(anisotropy) * narrow, 1.0 / share.g);
     return scattering * share * optics_phase(cosine, g) * exp(-absorption * way);
 }
 
 /* What light from one direction adds to a sight of `way` metres along `ray` from a depth; `light`: its irradiance just
- * below the surface, `slant`: metres of its way for each of depth. By Gauss's three points, spread as the light fades. */
+ * below the surface, `slant`: metres of its way for each of depth. By Gauss's two points, spread as the light fades. */
 vec3 volume_glow_of(vec3 light, vec3 light_way, float slant, float narrow, float depth, vec3 ray, float way)
 {
-    float growth = 1.0 - ray.y * slant, sight = max(way, 1e-4);
-    vec3 x = max((absorption + 0.5 * scattering) * growth * sight, -60.0);
-    x = mix(x, vec3(1e-3), lessThan(abs(x), vec3(1e-3)));
-    vec3 sum = vec3(0.0), faded = 1.0 - exp(-x);
-    for (int i = 0; i < 3; i++) {
-        float u = 0.5 + 0.38729833 * float(i - 1);
-        vec3 left = 1.0 - u * faded, there = -log(left) / x * sight;
-        sum += (i == 1 ? 4.0 / 9.0 : 2.5 / 9.0) * faded / (x * left) *
-               volume_source(dot(light_way, -ray), narrow, depth * slant + growth * there);
-    }
-    return light * sum * sight;
+    float growth = 1.0 - ray.y * slant, sight = max(way, 1e-4), cosine = -dot(light_way, ray);
+    float x = max((absorption.g + 0.05 * scattering.g) * growth * sight, -60.0);
+    x = abs(x) < 1e-3 ? 1e-3 : x;
+    vec2 left = 1.0 - vec2(0.21132487, 0.78867513) * (1.0 - exp(-x));
+    vec2 passed = depth * slant + growth * sight / x * -log(left), weight = 0.5 * sight / x * (1.0 - exp(-x)) / left;
+    return light * (weight.x * volume_source(cosine, narrow, passed.x) +
+                    weight.y * volume_source(cosine, narrow, passed.y));
 }
 
 /* What flat water's light adds to a sight of `way` metres along `ray` that starts at a depth. */
