@@ -44,6 +44,7 @@ enum physical_unit {
     UNIT_MIRROR_COLOR,
     UNIT_MIRROR_DEPTH,
     UNIT_SHAFTS,
+    UNIT_SHADOW_REFLECTED,
 };
 
 /* The light of the scene in numbers; what render/volume.glsl and render/receiver.glsl get. */
@@ -73,8 +74,8 @@ struct sky_texture {
 
 struct shadow {
     struct gpu_program cast;
-    struct gpu_layer map;
-    double square[4], span[2]; /* as in render/shadow.glsl */
+    struct gpu_layer map, reflected; /* for light from the sun, and for what the water throws up: 1 × 1 without that */
+    double square[4], reflected_square[4], span[2]; /* as in render/shadow.glsl */
 };
 
 struct solids {

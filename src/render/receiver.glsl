@@ -76,6 +76,7 @@ vec3 receiver_above(vec3 point, vec3 normal, float lit)
     float facing = max(-dot(normal, up_way), 0.0) / up_way.y;
     bool thrown = facing > 0.0 && waves_cover(origin.xz);
     float shown = thrown ? shadow_light(origin + vec3(0.0, 1e-3, 0.0), vec3(0.0), to_sun, thrown) : 0.0;
+    shown *= shadow_thrown(point, origin.xz, thrown && reflected_height > 0.0);
     return sun_irradiance * lit * max(dot(normal, to_sun), 0.0) + sun_reflected * light * facing * shown;
 }
 

@@ -5,6 +5,8 @@
 uniform sampler2D shadow_heights; /* 0 at shadow_span.x + shadow_span.y, 1 at shadow_span.x */
 uniform vec4 shadow_square;       /* m: the least x and z, and the sides, of the places */
 uniform vec2 shadow_span;         /* m: the least height, and how far the highest is above it; 0: nothing casts */
+uniform sampler2D reflected_heights; /* the lowest solid in the way of what the water throws up: 0 at shadow_span.x */
+uniform vec4 reflected_square;
 uniform float shadow_disc;        /* m that the sun's disc widens a shadow by for each m of height, above the water */
 uniform float shadow_waves;       /* the same by the slopes of the waves, below it */
 uniform int shadow_taps;
@@ -76,6 +78,27 @@ float shadow_light(vec3 point, vec3 normal, vec3 to_sun, bool asked)
     for (int i = 0; i < count; i++) {
         vec2 away = direction * sqrt((float(i) + 0.5) / float(shadow_taps)) * radius;
         covered += step(bias + dot(rise, away), shadow_height(place + away / shadow_square.zw));
+        direction = turn * direction;
+    }
+    return 1.0 - covered / float(shadow_taps);
+}
+
+/* The share of the light that the water throws up at `origin` that comes to a point above it; 1 where that is not
+ * `asked`. Waves throw it much further aside than they bend what they let through. */
+float shadow_thrown(vec3 point, vec2 origin, bool asked)
+{
+    const mat2 turn = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688);
+    float texel = max(reflected_square.z, reflected_square.w) / float(textureSize(reflected_heights, 0).x);
+    vec2 place = (origin - reflected_square.xy) / reflected_square.zw, outside = abs(place - 0.5);
+    bool inside = asked && shadow_span.y > 0.0 && max(outside.x, outside.y) < 0.5;
+    float radius = 1.5 * texel + 2.0 * shadow_waves * point.y, angle = 6.2831853 * shadow_noise(), covered = 0.0;
+    float bias = point.y - 0.05 - 2.0 * texel;
+    vec2 direction = vec2(cos(angle), sin(angle));
+    int count = inside ? shadow_taps : 0;
+    for (int i = 0; i < count; i++) {
+        vec2 away = direction * sqrt((float(i) + 0.5) / float(shadow_taps)) * radius;
+        float height = textureLod(reflected_heights, place + away / reflected_square.zw, 0.0).r;
+        covered += step(shadow_span.x + shadow_span.y * height, bias);
         direction = turn * direction;
     }
     return 1.0 - covered / float(shadow_taps);
