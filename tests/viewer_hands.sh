@@ -47,7 +47,7 @@ moves() {
 
 # What stands in the rows of the times.
 meter() {
-    tail -c "$screen_size" "$folder/Xvfb_screen0" | tail -c +$((screen_width * 4 * times_top)) |
+    tail -c "$screen_size" "$folder/Xvfb_screen0" | tail -c +$((screen_width * 4 * times_top + 1)) |
         head -c $((screen_width * 4 * times_height)) | cksum
 }
 
@@ -58,7 +58,7 @@ ticked() {
 # Waits until the window has seen what the mouse did: a frame may have been under way, and a quick click is seen as
 # pressed in one frame and as released in the next.
 frames() {
-    for _ in 1 2 3; do
+    for _ in 1 2 3 4; do
         tick=$(meter)
         waited=0
         until ticked; do

@@ -101,6 +101,7 @@ bool video_begin(struct video *video, const struct video_format *format, const c
     if (snprintf(video->temporary, sizeof video->temporary, "%s.%ld.part", path, (long)getpid()) >= PATH_MAX)
         return fail_input(log, "%.80s…: name too long", path);
     snprintf(target, sizeof target, "file:%s", video->temporary);
+    /* -xerror: a full disk is an error, not a shorter film */
     const char *arguments[40] = {"ffmpeg",     "-hide_banner", "-loglevel", "error", "-xerror",     "-y",
                                  "-f",         "rawvideo",     "-pix_fmt",  "rgb24", "-video_size", size,
                                  "-framerate", rate,           "-i",        "pipe:0"};

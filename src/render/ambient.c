@@ -11,14 +11,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define FLOOR_SIDE 48    /* points of the floor a side */
-#define FLOOR_MARGIN 2.0 /* m of floor around the solids */
-#define STEEPEST 3.0f
+#define FLOOR_SIDE 48     /* points of the floor a side */
+#define FLOOR_MARGIN 2.0  /* m of floor around the solids */
+#define STEEPEST 3.0f     /* times that a texel is as bright as one beside it, at most */
 #define WHOLE_SPACING 0.3 /* m between the probes of a part that have all rays */
 #define LEAST_RAYS 0.25   /* share of them */
 
 /* A probe of a small part, which stands for little of a picture, has fewer rays. */
-static int rays_of(const struct probes *probes, const struct probe *probe, int rays)
+static int count_rays(const struct probes *probes, const struct probe *probe, int rays)
 {
     return (int)(rays * fmax(fmin(probes->spacing[probe->part] / WHOLE_SPACING, 1), LEAST_RAYS));
 }
@@ -28,14 +28,18 @@ static bool trace_probes(struct probes *probes, const struct traced_world *trace
     size_t count = (size_t)probes->count;
     float *room = base_allocate(log, count * 9 + 1, sizeof *room, "ambient light");
     int *rays = base_allocate(log, count + 1, sizeof *rays, "ambient light");
-    bool ok = room && rays;
+    if (!room || !rays) {
+        free(room);
+        free(rays);
+        return false;
+    }
     float *places = room, *normals = room + 3 * count, *irradiance = room + 6 * count;
-    for (size_t i = 0; ok && i < count; i++) {
+    for (size_t i = 0; i < count; i++) {
         memcpy(places + 3 * i, probes->all[i].position, 3 * sizeof *room);
         memcpy(normals + 3 * i, probes->all[i].normal, 3 * sizeof *room);
-        rays[i] = rays_of(probes, probes->all + i, most);
+        rays[i] = count_rays(probes, probes->all + i, most);
     }
-    ok = ok && ambient_bake(&traced->camera, probes->count, places, normals, rays, irradiance, log);
+    bool ok = ambient_bake(&traced->camera, probes->count, places, normals, rays, irradiance, log);
     for (size_t i = 0; ok && i < count; i++)
         memcpy(probes->all[i].irradiance, irradiance + 3 * i, 3 * sizeof *room);
     free(room);
@@ -92,7 +96,7 @@ static void place_floor(const struct physical *physical, const struct frame *fra
 }
 
 /* Where a wall stands between two points of the floor, light of the one would show on the other's side of it: no texel
- * is more than STEEPEST times as bright as one beside it. */
+ * is more than STEEPEST times as bright as one beside it. A point without any light is in a solid and says nothing. */
 static void keep_behind_walls(int side, const float *irradiance, float *texels)
 {
     for (int i = 0; i < side * side; i++) {
@@ -101,8 +105,10 @@ static void keep_behind_walls(int side, const float *irradiance, float *texels)
             float least = irradiance[3 * i + c];
             for (int n = 0; n < 9; n++) {
                 int column = x + n % 3 - 1, row = y + n / 3 - 1;
-                if (column >= 0 && column < side && row >= 0 && row < side)
-                    least = fminf(least, STEEPEST * irradiance[3 * (row * side + column) + c]);
+                bool there = column >= 0 && column < side && row >= 0 && row < side;
+                float beside = there ? irradiance[3 * (row * side + column) + c] : 0;
+                if (beside > 0)
+                    least = fminf(least, STEEPEST * beside);
             }
             texels[4 * i + c] = least;
         }
@@ -117,13 +123,16 @@ static bool bake_floor(struct physical *physical, const struct frame *frame, con
     size_t count = (size_t)(side * side);
     float *room = base_allocate(log, count * 13, sizeof *room, "ambient light");
     int *rays = base_allocate(log, count, sizeof *rays, "ambient light");
-    bool ok = room && rays;
+    if (!room || !rays) {
+        free(room);
+        free(rays);
+        return false;
+    }
     float *places = room, *normals = room + 3 * count, *irradiance = room + 6 * count, *texels = room + 9 * count;
-    if (ok)
-        place_floor(physical, frame, side, places, normals);
-    for (size_t i = 0; ok && i < count; i++)
+    place_floor(physical, frame, side, places, normals);
+    for (size_t i = 0; i < count; i++)
         rays[i] = physical->quality.ambient_rays;
-    ok = ok && ambient_bake(&traced->camera, (int)count, places, normals, rays, irradiance, log);
+    bool ok = ambient_bake(&traced->camera, (int)count, places, normals, rays, irradiance, log);
     if (ok) {
         keep_behind_walls(side, irradiance, texels);
         texture_resize(frame->gl, &seabed->ambient, GL_RGBA16F, side, side, TEXTURE_CLAMP, TEXTURE_LINEAR);

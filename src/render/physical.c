@@ -86,7 +86,6 @@ static void bind_light(const struct physical *physical, const struct frame *fram
     program_vec3(gl, program, "absorption", light->absorption);
     program_vec3(gl, program, "extinction", light->extinction);
     program_vec3(gl, program, "scattering", light->scattering);
-    program_vec3(gl, program, "diffuse_extinction", light->diffuse_extinction);
     program_float(gl, program, "anisotropy", light->anisotropy);
     program_float(gl, program, "diffuse_slant", DIFFUSE_SLANT);
     program_vec3(gl, program, "floor_radiance", light->floor_radiance);

@@ -9,7 +9,7 @@ uniform int caustics;                /* 0: the water's light is that of flat wat
 uniform vec3 sun_reflected;          /* irradiance on a ceiling of what flat water throws back */
 uniform sampler2DArray reflected_texels;
 uniform vec3 reflected_window, reflected_step; /* as in light/map.glsl */
-uniform float reflected_height;                /* m, of the last layer; 0: there is no such light */
+uniform float reflected_height;                /* m, of the last layer; 0: there are none, and it is that of flat water */
 
 /* A layer shows what is in the water, or what is not; both a little beyond the surface, coarse far off as its mesh is. */
 bool layer_leaves_out(vec3 point)

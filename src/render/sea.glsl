@@ -87,9 +87,8 @@ vec3 glint(vec3 to_eye, vec2 slopes, float variance)
     return sun_irradiance * share * density / (4.0 * square * square * max(to_eye.y, 0.05));
 }
 
-/* What a ray that goes down from the surface sees: what a layer has `way` metres along it, where it has something in
- * part all of it; elsewhere the floor, or where the water ends before it, what is behind a pane, or as much as the
- * floor. */
+/* What a ray that goes down from the surface sees: by its coverage what a layer has `way` metres along it; for the rest
+ * the floor, or where the water ends before it, what is behind a pane, or as much as the floor. */
 vec3 seen_below(vec4 found, vec3 ray, float way)
 {
     float to_floor = (tile_floor - position.y) / min(ray.y, -1e-3), to_edge = planes.y;

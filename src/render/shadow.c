@@ -5,7 +5,7 @@
 #include <math.h>
 
 /* The square of places that light to any part of the world passes, by its way above the rest surface and below it:
- * vectors along it, upwards; NULL: there is none below. */
+ * vectors along it, up or down; NULL: there is none below. */
 static void frame_square(const struct world *world, const double above[3], const double *below, double square[4])
 {
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};

@@ -1,6 +1,6 @@
 /* Draws solids into the map of shadows: a point lands where its light passes the rest surface, as deep as the highest
- * solid is above it. What is above that surface and what is below are drawn apart, each along its own slant. For light that
- * the water throws up the lowest solid counts. */
+ * solid is above it. What is above that surface and what is below are drawn apart, each along its own slant. For light
+ * that the water throws up the lowest solid counts. */
 uniform vec4 shadow_square, reflected_square; /* as in render/shadow.glsl */
 uniform vec2 shadow_span;
 uniform vec2 slant;      /* of the light's way: x and z for each m of y */

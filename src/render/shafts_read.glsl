@@ -22,8 +22,9 @@ vec3 shafts_read(vec2 place, float way)
     return sum.rgb / sum.a;
 }
 
-/* What is `way` metres off along `ray` from a place in the water, seen with the water's glow and its shafts; `place`: of
- * the picture. Where a shadow takes all of the glow, the steps of the one and the sum of the other leave a little. */
+/* What is `way` metres off along `ray` from a place in the water, seen with the water's glow and its shafts; `place`:
+ * of the picture. Where a shadow takes all of the glow, the steps of the one and the sum of the other leave a
+ * little. */
 vec3 shafts_sight(vec3 seen, vec3 start, vec3 ray, float way, vec2 place)
 {
     vec3 glow = volume_glow(max(-start.y, 0.0), ray, way) + shafts_read(place, way);
