@@ -1,6 +1,6 @@
 /* What stands half out of the water, in the physical look, in OpenGL 3.3 and OpenGL ES 3.0: caustics on what is wet,
- * none on what is dry but those that the water throws up, none in shadow; and a shadow that goes on through the
- * surface. */
+ * none on what is dry but those that the water throws up, none in shadow; a shadow that goes on through the surface,
+ * and one in what the water throws up. */
 #include "physical.h"
 
 /* A wall from the floor to 0.6 m above the water, whose face at x = -0.5 looks at the sun. */
@@ -90,6 +90,69 @@ static void check_through_surface(struct physical_fixture *fixture)
     dpl_scene_destroy(scene);
 }
 
+/* A ceiling 1 m above flat water, which throws the sun up to it, and a plate half way up; all that is lit besides is
+ * as good as black. Light comes to a point of the ceiling from the water beside it, towards the sun by the height over
+ * the tangent of the sun's elevation; so the plate stands half as far aside of its shadow's middle. The sun shines in
+ * under the ceiling, and the plate's own shadow on the water throws none up to it. */
+#define ELEVATION 50
+#define AZIMUTH 30
+#define PLATE 0.15                                    /* m, half its side */
+static const double shadow_middle[2] = {0.08, -0.05}; /* x and z */
+
+static struct dpl_scene *ceiling_scene(struct physical_fixture *fixture)
+{
+    struct dpl_scene *scene = physical_scene(
+        fixture, "[floor]\ncolor = 0 0 0\n[caustics]\nslices = 4\nmesh = 192\nreflected_slices = 4\n"
+                 "reflected_height = 1.2\n[object.ceiling]\nshape = box\non_floor = no\nposition = 0 1 0\n"
+                 "size = 1 0.1 1\ncolor = 0.1 0.1 0.1\n[object.plate]\nshape = box\non_floor = no\n"
+                 "color = 0.001 0.001 0.001\n");
+    double aside = 0.5 / tan(ELEVATION * PHYSICAL_DEGREE);
+    support_set(scene, "sun.elevation", "%d", ELEVATION);
+    support_set(scene, "sun.azimuth", "%d", AZIMUTH);
+    support_set(scene, "object.plate.size", "%g 0.01 %g", 2 * PLATE, 2 * PLATE);
+    support_set(scene, "object.plate.position", "%.17g 0.5 %.17g",
+                shadow_middle[0] + aside * cos(AZIMUTH * PHYSICAL_DEGREE),
+                shadow_middle[1] + aside * sin(AZIMUTH * PHYSICAL_DEGREE));
+    physical_look(scene, (const double[3]){-0.3, 0.2, -0.3}, (const double[3]){0, 1, 0}, 100);
+    return scene;
+}
+
+/* Radiance of the ceiling by what flat water throws back of the sun, by Fresnel's law. */
+static double open_ceiling(const struct dpl_scene *scene)
+{
+    double sun[3], outside = (90 - ELEVATION) * PHYSICAL_DEGREE;
+    physical_sun(scene, sun);
+    return 0.1 / M_PI * sun[1] * cos(outside) * physical_reflectance(outside, physical_inside(outside));
+}
+
+/* Everywhere on the ceiling but at its rim and 6 cm around the shadow's edge, which waves are taken to blur by 4 cm. */
+static void check_ceiling(const struct dpl_scene *scene, const struct dpl_image *image, bool shadowed)
+{
+    double open = open_ceiling(scene);
+    for (int i = 0; i < 29 * 29; i++) {
+        double point[3] = {(i % 29 - 14) * 0.03, 1, (i / 29 - 14) * 0.03}, column, row;
+        physical_place(scene, image, point, &column, &row);
+        assert_true(column > 0 && row > 0 && column < image->width && row < image->height);
+        double beside = fmax(fabs(point[0] - shadow_middle[0]), fabs(point[2] - shadow_middle[1])) - PLATE;
+        double found = physical_pixel(image, (int)column, (int)row, 1) / open;
+        double expected = shadowed && beside < 0 ? 0 : 1;
+        if (fabs(found - expected) > 0.01 && (!shadowed || fabs(beside) > 0.06))
+            fail_msg("ceiling at %g, %g: %g of what flat water throws up, not %g", point[0], point[2], found, expected);
+    }
+}
+
+static void check_thrown(struct physical_fixture *fixture)
+{
+    struct dpl_scene *scene = ceiling_scene(fixture);
+    for (int shadowed = 0; shadowed < 2; shadowed++) {
+        support_set(scene, "object.plate.casts", shadowed ? "yes" : "no");
+        struct dpl_image *image = physical_radiance(fixture, scene, 128, 128);
+        check_ceiling(scene, image, shadowed);
+        dpl_image_destroy(image);
+    }
+    dpl_scene_destroy(scene);
+}
+
 static void check(bool es)
 {
     struct physical_fixture fixture;
@@ -97,6 +160,7 @@ static void check(bool es)
     check_caustics(&fixture);
     check_under_raft(&fixture);
     check_through_surface(&fixture);
+    check_thrown(&fixture);
     physical_finish(&fixture);
 }
 
