@@ -13,7 +13,6 @@
 
 #define FLOOR_SIDE 48     /* points of the floor a side */
 #define FLOOR_MARGIN 2.0  /* m of floor around the solids */
-#define STEEPEST 3.0f     /* times that a texel is as bright as one beside it, at most */
 #define WHOLE_SPACING 0.3 /* m between the probes of a part that have all rays */
 #define LEAST_RAYS 0.25   /* share of them */
 
@@ -95,26 +94,6 @@ static void place_floor(const struct physical *physical, const struct frame *fra
     }
 }
 
-/* Where a wall stands between two points of the floor, light of the one would show on the other's side of it: no texel
- * is more than STEEPEST times as bright as one beside it. A point without any light is in a solid and says nothing. */
-static void keep_behind_walls(int side, const float *irradiance, float *texels)
-{
-    for (int i = 0; i < side * side; i++) {
-        int x = i % side, y = i / side;
-        for (int c = 0; c < 3; c++) {
-            float least = irradiance[3 * i + c];
-            for (int n = 0; n < 9; n++) {
-                int column = x + n % 3 - 1, row = y + n / 3 - 1;
-                bool there = column >= 0 && column < side && row >= 0 && row < side;
-                float beside = there ? irradiance[3 * (row * side + column) + c] : 0;
-                if (beside > 0)
-                    least = fminf(least, STEEPEST * beside);
-            }
-            texels[4 * i + c] = least;
-        }
-    }
-}
-
 static bool bake_floor(struct physical *physical, const struct frame *frame, const struct traced_world *traced)
 {
     const struct dpl_log *log = frame->gl->log;
@@ -133,8 +112,9 @@ static bool bake_floor(struct physical *physical, const struct frame *frame, con
     for (size_t i = 0; i < count; i++)
         rays[i] = physical->quality.ambient_rays;
     bool ok = ambient_bake(&traced->camera, (int)count, places, normals, rays, irradiance, log);
+    for (size_t i = 0; ok && i < count; i++)
+        memcpy(texels + 4 * i, irradiance + 3 * i, 3 * sizeof *texels);
     if (ok) {
-        keep_behind_walls(side, irradiance, texels);
         texture_resize(frame->gl, &seabed->ambient, GL_RGBA16F, side, side, TEXTURE_CLAMP, TEXTURE_LINEAR);
         texture_upload(frame->gl, &seabed->ambient, texels);
     }
