@@ -73,6 +73,7 @@ static void check_distances(struct physical_fixture *fixture)
     "[scene]\nsize = 1\n"
 #define WAVES                                                                                                          \
     "[wave.1]\ncycles = 2 0\namplitude = 0.02\n[wave.2]\ncycles = 0 1\namplitude = 0.02\n[caustics]\nslices = 6\n"
+
 /* Level, between surface and floor. */
 static struct dpl_image *look_level(struct physical_fixture *fixture, struct dpl_scene *scene, bool shafts,
                                     const double eye[3], double view)

@@ -12,6 +12,8 @@ uniform float shadow_waves;       /* the same by the slopes of the waves, below 
 uniform int shadow_taps;
 uniform vec2 corner; /* pixels, of what is drawn in the whole picture */
 
+const mat2 SHADOW_TURN = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688); /* by the golden angle */
+
 /* Where light to a point passes the rest surface. */
 vec2 shadow_crossing(vec3 point, vec3 to_sun)
 {
@@ -49,7 +51,6 @@ vec2 shadow_rise(vec3 normal, vec2 slant)
  * of no turns costs nothing where a device goes both ways of every condition. */
 float shadow_light(vec3 point, vec3 normal, vec3 to_sun, bool asked)
 {
-    const mat2 turn = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688); /* by the golden angle */
     float texel = max(shadow_square.z, shadow_square.w) / float(textureSize(shadow_heights, 0).x);
     float most = shadow_span.x + shadow_span.y - point.y;
     vec2 rise = shadow_rise(normal, point.y > 0.0 ? to_sun.xz / to_sun.y : sun_way.xz / sun_way.y);
@@ -69,7 +70,7 @@ float shadow_light(vec3 point, vec3 normal, vec3 to_sun, bool asked)
         float hidden = step(bias + dot(rise, away), height);
         covered += hidden;
         heights += hidden * height;
-        direction = turn * direction;
+        direction = SHADOW_TURN * direction;
     }
     count = covered > 0.0 ? shadow_taps : 0;
     radius = max(shadow_radius(point, heights / max(covered, 1.0) - point.y), texel);
@@ -78,7 +79,7 @@ float shadow_light(vec3 point, vec3 normal, vec3 to_sun, bool asked)
     for (int i = 0; i < count; i++) {
         vec2 away = direction * sqrt((float(i) + 0.5) / float(shadow_taps)) * radius;
         covered += step(bias + dot(rise, away), shadow_height(place + away / shadow_square.zw));
-        direction = turn * direction;
+        direction = SHADOW_TURN * direction;
     }
     return 1.0 - covered / float(shadow_taps);
 }
@@ -87,7 +88,6 @@ float shadow_light(vec3 point, vec3 normal, vec3 to_sun, bool asked)
  * `asked`. Waves throw it much further aside than they bend what they let through. */
 float shadow_thrown(vec3 point, vec2 origin, bool asked)
 {
-    const mat2 turn = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688);
     float texel = max(reflected_square.z, reflected_square.w) / float(textureSize(reflected_heights, 0).x);
     vec2 place = (origin - reflected_square.xy) / reflected_square.zw, outside = abs(place - 0.5);
     bool inside = asked && shadow_span.y > 0.0 && max(outside.x, outside.y) < 0.5;
@@ -99,7 +99,7 @@ float shadow_thrown(vec3 point, vec2 origin, bool asked)
         vec2 away = direction * sqrt((float(i) + 0.5) / float(shadow_taps)) * radius;
         float height = textureLod(reflected_heights, place + away / reflected_square.zw, 0.0).r;
         covered += step(shadow_span.x + shadow_span.y * height, bias);
-        direction = turn * direction;
+        direction = SHADOW_TURN * direction;
     }
     return 1.0 - covered / float(shadow_taps);
 }
