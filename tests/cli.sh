@@ -86,7 +86,7 @@ refuses 2 'did you mean "surface"' help surfaces
 refuses 2 'one word too many' help map surface
 
 # --- flags ---
-refuses 2 'unknown flag: "--fast" (accepted: --output, --set' render --fast
+refuses 2 'unknown flag: "--fast" (did you mean "--fps"? accepted: --output, --set' render --fast
 refuses 2 'unknown flag: "--white"' render --white 2 -o a.png
 refuses 2 'unknown flag: "--size=8x8"' map --size=8x8 -o a.png
 refuses 2 'unknown flag: "-j"' info -j
@@ -350,7 +350,10 @@ grep -qF sun.azimuth "$out" && fail "list params PREFIX lists others too"
 refuses 2 'starts so: "moon"' list params moon
 refuses 2 'one word too many: "sun."' list scenes sun.
 refuses 2 'did you mean "collard-1"' render colard-1 -o a.png
+refuses 2 'did you mean "coverage"' map --technique covrage -o a.png
 refuses 2 'did you mean "elevation"' render --set sun.elevaton=3 -o a.png
+printf '[object.gull]\nshape = mesh\nfile = gull.obj\n' >"$scratch/gull.ini"
+refuses 2 "object.gull.file: $scratch/gull.obj: cannot be read: No such file" render "$scratch/gull.ini" -o a.png
 refuses 2 'did you mean "sun"' render --set son.elevation=3 -o a.png
 refuses 2 '--markdown: only for params' list scenes --markdown
 

@@ -29,7 +29,8 @@ pool_ball='700 295' pool_ball_to='640 280'
 left_part=250x500+380+100      # of the picture, left of its middle and right of it
 right_part=150x500+645+100
 
-folder=$(mktemp -d) viewer="" display=""
+# In memory, if possible: there are file systems on which what Xvfb maps is not what others read.
+folder=$(mktemp -d -p /dev/shm 2>/dev/null || mktemp -d) viewer="" display=""
 finish() {
     [ -z "$viewer" ] || kill "$viewer" 2>/dev/null
     [ -z "$display" ] || kill "$display" 2>/dev/null
@@ -41,6 +42,7 @@ trap 'exit 1' INT TERM
 fail() {
     echo "FAILED: $*"
     cat "$folder/log"
+    [ -z "$viewer" ] || ps -o stat,time,wchan:20,args -p "$viewer" || echo "the window has ended"
     exit 1
 }
 

@@ -1,6 +1,7 @@
 #include "cli/options.h"
 
 #include "cli/commands.h"
+#include "dapple/param.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -107,14 +108,24 @@ static bool read_value(const struct flag *flag, char *text, struct options *opti
     return false;
 }
 
+/* The i-th flag that the command takes. */
+static const char *flag_name(const void *command, int i)
+{
+    for (int f = 0; f < FLAG_COUNT; f++)
+        if (((const struct command *)command)->flags & FLAG_BIT(f) && i-- == 0)
+            return flags[f].name;
+    return NULL;
+}
+
 static bool refuse_flag(const struct command *command, const char *word, struct program_log *log)
 {
-    char accepted[LIST_SIZE];
+    char accepted[LIST_SIZE], hint[64];
     size_t used = 0;
+    dpl_hint(word, flag_name, command, hint, sizeof hint);
     for (int i = 0; i < FLAG_COUNT && used < sizeof accepted; i++)
         if (command->flags & FLAG_BIT(i))
             used += (size_t)snprintf(accepted + used, sizeof accepted - used, "%s%s", used ? ", " : "", flags[i].name);
-    return fail_input(log, "%s: unknown flag: \"%.80s\" (accepted: %s)", command->name, word, accepted);
+    return fail_input(log, "%s: unknown flag: \"%.80s\" (%saccepted: %s)", command->name, word, hint, accepted);
 }
 
 /* The flag of that name, of `length` bytes, that the command takes; NULL: none. */

@@ -104,6 +104,11 @@ static bool parse_bool(const struct dpl_param *param, bool *value, const char *t
     return reject(param, DPL_REASON_VALUE, where, "neither true nor false", text, log);
 }
 
+static const char *choice_name(const void *param, int i)
+{
+    return ((const struct dpl_param *)param)->choice(i);
+}
+
 static bool parse_choice(const struct dpl_param *param, int *value, const char *text, const char *where,
                          const struct dpl_log *log)
 {
@@ -113,7 +118,11 @@ static bool parse_choice(const struct dpl_param *param, int *value, const char *
             return true;
         }
     }
-    return reject(param, DPL_REASON_CHOICE, where, "no such choice", text, log);
+    char accepted[512], hint[64];
+    dpl_param_describe(param, accepted, sizeof accepted);
+    dpl_hint(text, choice_name, param, hint, sizeof hint);
+    return base_fail(log, DPL_REASON_CHOICE, "%s: no such choice: \"%.80s\" (%saccepted: %s)", where, text, hint,
+                     accepted);
 }
 
 /* Scene text has no quotes: what would end a line, start a comment or be trimmed cannot stand in it. */

@@ -13,8 +13,8 @@ static bool check(const struct dpl_image *image, const char *path, const struct 
     for (size_t i = 0; i < count; i++)
         if (!isfinite(image->pixels[i]))
             return base_fail(log, DPL_REASON_FILE_FORMAT,
-                             "sky.environment: %s: not a number, or infinite, in row %zu (accepted: finite radiances)",
-                             path, i / 3 / (size_t)image->width);
+                             "%s: not a number, or infinite, in row %zu (accepted: finite radiances)", path,
+                             i / 3 / (size_t)image->width);
     return true;
 }
 
@@ -52,12 +52,14 @@ static void resample(const struct dpl_image *image, float *texels)
     }
 }
 
-bool sky_environment_read(struct sky_kept *kept, const char *path, const struct dpl_log *log)
+bool sky_environment_read(struct sky_kept *kept, const char *path, const struct dpl_log *outer)
 {
+    struct base_named_log named = {.name = "sky.environment", .outer = outer};
+    const struct dpl_log *log = base_name_log(&named);
     if (kept->picture && !strcmp(kept->path, path))
         return true;
     if (!*path)
-        return base_fail(log, DPL_REASON_VALUE, "sky.environment: no picture is named (accepted: a .exr or .pfm file)");
+        return base_fail(log, DPL_REASON_VALUE, "no picture is named (accepted: a .exr or .pfm file)");
     struct dpl_image *image = io_read(path, log);
     bool ok = image && check(image, path, log);
     float *picture = ok ? base_allocate(log, (size_t)SKY_HORIZON * SKY_COLUMNS * 3, sizeof(float), "sky") : NULL;

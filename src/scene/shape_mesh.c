@@ -6,6 +6,7 @@
 #include "io/mesh.h"
 
 #include <math.h>
+#include <stdio.h>
 
 /* The box around the corners of all triangles. */
 static void measure(const struct io_mesh *mesh, double low[3], double high[3])
@@ -59,8 +60,12 @@ static bool build(struct world_builder *builder, const struct scene_object *obje
     struct io_mesh mesh;
     if (object->file[0] == '\0')
         return base_fail(builder->log, DPL_REASON_VALUE,
-                         "%s.file: \"\" (accepted: the name of a mesh, .obj .gltf .glb .ply .stl)", builder->name);
-    if (!io_mesh_read(object->file, &mesh, builder->log))
+                         "%s.file: no file is named (accepted: the name of a mesh, .obj .gltf .glb .ply .stl)",
+                         builder->name);
+    char key[SCENE_OBJECT_NAME_SIZE + sizeof ".file"];
+    snprintf(key, sizeof key, "%s.file", builder->name);
+    struct base_named_log named = {.name = key, .outer = builder->log};
+    if (!io_mesh_read(object->file, &mesh, base_name_log(&named)))
         return false;
     material.two_sided = true; /* a file's surfaces may be open, and wound either way */
     builder_part(builder, &material);

@@ -146,14 +146,15 @@ static bool is_finite(const struct dpl_image *image, const char *path, const str
 {
     for (size_t i = 0; i < (size_t)image->width * (size_t)image->height * 3; i++)
         if (!(image->pixels[i] >= 0 && image->pixels[i] <= 1))
-            return base_fail(log, DPL_REASON_FILE_FORMAT,
-                             "floor.relief_map: %s: not a brightness: %g (accepted: values from 0 to 1)", path,
-                             (double)image->pixels[i]);
+            return base_fail(log, DPL_REASON_FILE_FORMAT, "%s: not a brightness: %g (accepted: values from 0 to 1)",
+                             path, (double)image->pixels[i]);
     return true;
 }
 
-static bool read_heights(struct world *world, const struct dpl_scene *scene, const struct dpl_log *log)
+static bool read_heights(struct world *world, const struct dpl_scene *scene, const struct dpl_log *outer)
 {
+    struct base_named_log named = {.name = "floor.relief_map", .outer = outer};
+    const struct dpl_log *log = base_name_log(&named);
     const int side = world->relief_side;
     const char *path = scene->floor.relief_map;
     struct dpl_image *image = io_read(path, log);

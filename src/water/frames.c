@@ -18,7 +18,7 @@ static bool split_name(struct io_numbered *numbered, const char *name, const str
 {
     return io_numbered_split(numbered, name) ||
            base_fail(log, DPL_REASON_VALUE,
-                     "heightfield.file: not a name of numbered pictures: \"%s\" (accepted: one %%d or %%0Nd, N from "
+                     "not a name of numbered pictures: \"%s\" (accepted: one %%d or %%0Nd, N from "
                      "1 to 9, as in heights-%%04d.png)",
                      name);
 }
@@ -102,7 +102,7 @@ bool frames_open(struct frames *frames, const char *name, int first, const struc
     frames_close(frames);
     if (*name == '\0')
         return base_fail(log, DPL_REASON_VALUE,
-                         "heightfield.file: \"\" (accepted: the name of a picture, or as heights-%%04d.png)");
+                         "no picture is named (accepted: the name of a picture, or as heights-%%04d.png)");
     if (!split_name(&numbered, name, log))
         return false;
     strcpy(frames->name, name);

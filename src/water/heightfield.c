@@ -110,8 +110,10 @@ static bool make_heights(struct state *state, const struct blend *blend, const s
            (!(blend->share > 0) || add_frame(state, blend->frames[1], blend->scale * blend->share, log));
 }
 
-static bool prepare(void *state_, const struct water_setup *setup, double time, const struct dpl_log *log)
+static bool prepare(void *state_, const struct water_setup *setup, double time, const struct dpl_log *outer)
 {
+    struct base_named_log named = {.name = "heightfield.file", .outer = outer};
+    const struct dpl_log *log = base_name_log(&named);
     struct state *state = state_;
     const struct heightfield *p = setup->params;
     bool kept = state->blended && frames_are_open(&state->frames, p->file, p->first);
