@@ -21,10 +21,15 @@ bool layer_resize(struct dpl_gl *gl, struct gpu_layer *layer, GLenum format, int
                      width, height);
 }
 
-void layer_begin(struct dpl_gl *gl, const struct gpu_layer *layer)
+void layer_resume(struct dpl_gl *gl, const struct gpu_layer *layer)
 {
     gl->BindFramebuffer(GL_FRAMEBUFFER, layer->framebuffer);
     gl->Viewport(0, 0, layer->depth.width, layer->depth.height);
+}
+
+void layer_begin(struct dpl_gl *gl, const struct gpu_layer *layer)
+{
+    layer_resume(gl, layer);
     gl->ClearColor(0, 0, 0, 0);
     gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }

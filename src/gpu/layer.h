@@ -17,6 +17,9 @@ bool layer_resize(struct dpl_gl *gl, struct gpu_layer *layer, GLenum format, int
 /* Binds it for drawing, sets the viewport to all of it, clears colour to zeros and depth to 1. */
 void layer_begin(struct dpl_gl *gl, const struct gpu_layer *layer);
 
+/* Goes on drawing to it, all of it being the viewport. */
+void layer_resume(struct dpl_gl *gl, const struct gpu_layer *layer);
+
 /* Takes a zeroed one. Leaves it zeroed. */
 void layer_finish(struct dpl_gl *gl, struct gpu_layer *layer);
 

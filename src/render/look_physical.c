@@ -34,7 +34,7 @@ static bool update_layers(struct physical *physical, const struct frame *frame)
         if (!layer_resize(frame->gl, physical->layers + i, GL_RGBA16F, width, height))
             return false;
     }
-    return true;
+    return layer_resize(frame->gl, &physical->places, GL_RGBA32F, frame->view.columns, frame->view.rows);
 }
 
 static bool prepare_seas(struct physical *physical, struct dpl_gl *gl)
@@ -64,7 +64,8 @@ static bool prepare(void *state, const struct frame *frame)
               shadow_prepare(&physical->shadow, frame, physical) && solids_prepare(&physical->solids, gl) &&
               seabed_prepare(&physical->seabed, frame, &physical->world) && ambient_update(physical, frame) &&
               shafts_prepare(&physical->shafts, frame, &physical->quality) &&
-              program_ready(gl, &physical->backdrop, "render/backdrop.glsl", "") && prepare_seas(physical, gl) &&
+              program_ready(gl, &physical->backdrop, "render/backdrop.glsl", "") &&
+              program_ready(gl, &physical->sea_places, "render/sea_places.glsl", "") && prepare_seas(physical, gl) &&
               waves_update(&physical->waves, frame);
     if (ok) {
         timer_pass(frame->timer, "shadow");
@@ -81,7 +82,7 @@ static void draw_layer(const struct physical *physical, const struct frame *fram
     gl->Enable(GL_DEPTH_TEST);
     solids_draw(physical, frame, layer, wet);
     if (wet)
-        seabed_draw(physical, frame, layer, wet);
+        seabed_draw(physical, frame, layer);
     gl->Disable(GL_DEPTH_TEST);
 }
 
@@ -104,6 +105,19 @@ static enum sea_kind sea_kind(const struct physical *physical)
     return physical->world.high[1] > 0 ? SEA_MIRRORING : SEA_ABOVE;
 }
 
+static void draw_sea_places(const struct physical *physical, const struct frame *frame, int width, int height)
+{
+    struct dpl_gl *gl = frame->gl;
+    const struct gpu_program *program = &physical->sea_places;
+    physical_begin_places(physical, gl, width, height);
+    program_use(gl, program);
+    physical_bind(physical, frame, program);
+    gl->Enable(GL_DEPTH_TEST);
+    rings_draw(&physical->rings, frame, program, frame->camera->position[1], HORIZON, waves_extent(frame));
+    gl->Disable(GL_DEPTH_TEST);
+}
+
+/* The surface where its places say, into what is drawn to. */
 static void draw_sea(const struct physical *physical, const struct frame *frame)
 {
     struct dpl_gl *gl = frame->gl;
@@ -112,9 +126,20 @@ static void draw_sea(const struct physical *physical, const struct frame *frame)
     physical_bind(physical, frame, program);
     physical_bind_layers(physical, frame, program);
     program_int(gl, program, "look_ups", physical->quality.look_ups);
+    texture_bind(gl, &physical->places.color, UNIT_SEA_PLACES);
+    program_int(gl, program, "places", UNIT_SEA_PLACES);
     gl->Enable(GL_DEPTH_TEST);
-    rings_draw(&physical->rings, frame, program, frame->camera->position[1], HORIZON, waves_extent(frame));
+    gpu_draw_screen(gl);
     gl->Disable(GL_DEPTH_TEST);
+}
+
+/* The surface as part of a layer. */
+static void draw_sea_behind_pane(const struct physical *physical, const struct frame *frame)
+{
+    const struct gpu_layer *through = physical->layers + LAYER_THROUGH;
+    draw_sea_places(physical, frame, through->depth.width, through->depth.height);
+    layer_resume(frame->gl, through);
+    draw_sea(physical, frame);
 }
 
 /* The three layers, as they are seen from the air and from the water. */
@@ -128,7 +153,7 @@ static void draw_layers(const struct physical *physical, const struct frame *fra
     timer_pass(frame->timer, "through");
     draw_layer(physical, frame, LAYER_THROUGH, !in_water || pane);
     if (pane)
-        draw_sea(physical, frame);
+        draw_sea_behind_pane(physical, frame);
 }
 
 static void draw_sight(struct physical *physical, const struct frame *frame)
@@ -141,10 +166,12 @@ static void draw_sight(struct physical *physical, const struct frame *frame)
         timer_pass(frame->timer, "shafts");
         shafts_draw(physical, frame);
     }
+    timer_pass(frame->timer, "sea");
+    if (!physical->sight.pane)
+        draw_sea_places(physical, frame, frame->view.columns, frame->view.rows);
     gl->BindFramebuffer(GL_FRAMEBUFFER, frame->target->framebuffer);
     gl->Viewport(0, 0, frame->view.columns, frame->view.rows);
     gl->Enable(GL_SCISSOR_TEST);
-    timer_pass(frame->timer, "sea");
     if (!physical->sight.pane)
         draw_sea(physical, frame);
     timer_pass(frame->timer, "backdrop");
@@ -179,7 +206,9 @@ static void finish(void *state, struct dpl_gl *gl)
     shafts_finish(&physical->shafts, gl);
     for (int i = 0; i < LAYERS; i++)
         layer_finish(gl, physical->layers + i);
+    layer_finish(gl, &physical->places);
     program_finish(gl, &physical->backdrop);
+    program_finish(gl, &physical->sea_places);
     for (int i = 0; i < SEA_KINDS; i++)
         program_finish(gl, physical->seas + i);
 }

@@ -63,7 +63,6 @@ static void bind_sight(const struct physical *physical, const struct frame *fram
     program_vec3(gl, program, "up", frame->rays.up);
     program_vec2(gl, program, "planes", camera->near_plane, camera->far_plane);
     program_vec2(gl, program, "corner", frame->view.left, frame->view.bottom);
-    program_vec2(gl, program, "picture", frame->view.columns, frame->view.rows);
     program_float(gl, program, "ior", frame->scene->medium.ior);
     program_float(gl, program, "side", sight->side);
     program_vec4s(gl, program, "plane", 1, plane);
@@ -169,6 +168,12 @@ void physical_bind(const struct physical *physical, const struct frame *frame, c
     physical_bind_cast(physical, frame, program);
     bind_floor(physical, frame, program);
     waves_bind(&physical->waves, frame, program, UNIT_WAVES);
+}
+
+void physical_begin_places(const struct physical *physical, struct dpl_gl *gl, int width, int height)
+{
+    layer_begin(gl, &physical->places);
+    gl->Viewport(0, 0, width, height);
 }
 
 void physical_bind_layers(const struct physical *physical, const struct frame *frame, const struct gpu_program *program)

@@ -37,6 +37,7 @@ enum physical_unit {
     UNIT_SAND,
     UNIT_AMBIENT,
     UNIT_NOISE = UNIT_AMBIENT,
+    UNIT_SEA_PLACES = UNIT_AMBIENT,
     UNIT_DIRECT_COLOR,
     UNIT_DIRECT_DEPTH,
     UNIT_THROUGH_COLOR,
@@ -44,6 +45,7 @@ enum physical_unit {
     UNIT_MIRROR_COLOR,
     UNIT_MIRROR_DEPTH,
     UNIT_SHAFTS,
+    UNIT_SEABED_PLACES = UNIT_SHAFTS,
     UNIT_SHADOW_REFLECTED,
 };
 
@@ -88,10 +90,10 @@ struct solids {
     } * extents;         /* of each part */
 };
 
-enum seabed_kind { SEABED_DRY, SEABED_SAND, SEABED_PATTERN, SEABED_KINDS };
+enum seabed_kind { SEABED_SAND, SEABED_PATTERN, SEABED_KINDS };
 
 struct seabed {
-    struct gpu_program programs[SEABED_KINDS];
+    struct gpu_program places, programs[SEABED_KINDS];
     struct gpu_texture relief, ambient;
     double ambient_square[3]; /* m: least x and z, side */
     uint64_t fingerprint;
@@ -136,7 +138,8 @@ struct physical {
     struct seabed seabed;
     struct shafts shafts;
     struct gpu_layer layers[LAYERS];
-    struct gpu_program backdrop, seas[SEA_KINDS];
+    struct gpu_layer places; /* where the mesh that is drawn now is in the picture (places.glsl) */
+    struct gpu_program backdrop, sea_places, seas[SEA_KINDS];
 
     /* Of this frame: */
     struct physical_light light;
@@ -155,6 +158,9 @@ void physical_bind_cast(const struct physical *physical, const struct frame *fra
 /* The layers, and the light shafts, once they are drawn. */
 void physical_bind_layers(const struct physical *physical, const struct frame *frame,
                           const struct gpu_program *program);
+
+/* Begins to draw, with a program of places.glsl, where a mesh is in a picture of that size. */
+void physical_begin_places(const struct physical *physical, struct dpl_gl *gl, int width, int height);
 
 /* The light of the scene, from its sky. */
 struct physical_light physical_light(const struct optics_sky *sky, const struct frame *frame);
@@ -175,7 +181,7 @@ void solids_cast(const struct solids *solids, struct dpl_gl *gl, const struct wo
 void solids_finish(struct solids *solids, struct dpl_gl *gl);
 
 bool seabed_prepare(struct seabed *seabed, const struct frame *frame, const struct world *world);
-void seabed_draw(const struct physical *physical, const struct frame *frame, enum physical_layer layer, bool wet);
+void seabed_draw(const struct physical *physical, const struct frame *frame, enum physical_layer layer);
 void seabed_finish(struct seabed *seabed, struct dpl_gl *gl);
 
 bool shafts_prepare(struct shafts *shafts, const struct frame *frame, const struct quality *quality);

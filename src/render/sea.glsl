@@ -3,35 +3,22 @@
  *
  * The layers THROUGH and MIRROR hold both as flat water would show them. A wave's own ray meets what stands there at
  * another place, which is found by going on along the ray to the depth that the layer says, and looking there again. */
+#include "gpu/screen.glsl"
+
+#ifdef FRAGMENT
 #include "render/view.glsl"
-#include "render/rings.glsl"
 #include "render/waves.glsl"
-
-#ifdef VERTEX
-out vec3 position;
-
-void main()
-{
-    float spacing;
-    vec2 xz = rings_place(spacing);
-    if (rings_extent > 0.0)
-        xz = clamp(xz, vec2(-rings_extent), vec2(rings_extent));
-    position = vec3(xz.x, waves_height(xz, log2(max(spacing / waves_spacing, 1.0))), xz.y);
-    gl_Position = view_projection * vec4(pane != 0 ? view_through(position, -1.0) : position, 1.0);
-    gl_Position.z = min(gl_Position.z, 0.999998 * gl_Position.w); /* the horizon lies beyond the far plane */
-}
-#else
 #include "render/line.glsl"
 #include "optics/refraction.glsl"
 #include "render/sky.glsl"
 #include "render/shadow.glsl"
 #include "render/shafts_read.glsl"
 uniform sampler2D direct_depth, through_color, through_depth, mirror_color, mirror_depth;
-uniform vec2 picture;         /* pixels */
 uniform int look_ups;         /* times that a layer is asked where a ray goes */
 uniform float tile_floor;     /* m, y of the floor */
 uniform vec3 floor_radiance;  /* of the floor where it is not in the picture */
-in vec3 position;
+uniform sampler2D places;     /* where a pixel shows the surface, and its depth (sea_places.glsl); all 0: nowhere */
+vec3 position;                /* on the surface */
 out vec4 color;
 
 const float DEPTHS_EXACT = 100.0; /* m: beyond, they tell the floor from the surface no more */
@@ -46,7 +33,7 @@ vec3 slope_here()
 /* What a ray from the surface meets, by a layer: radiance and coverage, and how far off it is. */
 vec4 layer_color(sampler2D colors, sampler2D depths, int layer, vec3 ray, out float way)
 {
-    vec2 place = gl_FragCoord.xy / picture, texels = vec2(textureSize(depths, 0));
+    vec2 place = target, texels = vec2(textureSize(depths, 0));
     for (int i = 0;; i++) {
         /* a depth holds for the middle of its texel: far off it is another one at the texel's edge */
         ivec2 texel = ivec2(min(place * texels, texels - 1.0));
@@ -144,7 +131,7 @@ vec3 thrown_and_let(vec3 to_eye, vec3 normal, vec3 slope)
 vec3 sight_origin()
 {
 #ifdef PANE
-    vec3 ray = view_ray(gl_FragCoord.xy / picture);
+    vec3 ray = view_ray(target);
     return eye + ray * view_plane(ray);
 #else
     return eye;
@@ -153,9 +140,13 @@ vec3 sight_origin()
 
 void main()
 {
-    bool hidden = pane == 0 && texelFetch(direct_depth, ivec2(gl_FragCoord.xy), 0).r < gl_FragCoord.z;
-    if (!waves_cover(position.xz) || hidden || line_side(gl_FragCoord.xy / picture) != side)
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec4 place = texelFetch(places, pixel, 0);
+    bool hidden = place.w == 0.0 || (pane == 0 && texelFetch(direct_depth, pixel, 0).r < place.w);
+    position = place.xyz;
+    if (!waves_cover(position.xz) || hidden || line_side(target) != side)
         discard;
+    gl_FragDepth = place.w;
     vec3 slope = slope_here(), origin = sight_origin(), sight = position - origin, to_eye = -normalize(sight);
     vec3 normal = normalize(vec3(-slope.x, 1.0, -slope.y));
     /* Waves that turn away from the eye are seen at a grazing angle at most. */
@@ -166,7 +157,7 @@ void main()
     vec3 radiance = thrown_and_let(to_eye, normal, slope);
 #ifndef ABOVE
 #ifndef PANE
-    radiance = shafts_sight(radiance, eye, -to_eye, way, gl_FragCoord.xy / picture);
+    radiance = shafts_sight(radiance, eye, -to_eye, way, target);
 #endif
 #endif
     color = vec4(radiance, 1.0);

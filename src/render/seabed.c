@@ -34,8 +34,10 @@ static bool upload_relief(struct seabed *seabed, const struct frame *frame, cons
 
 bool seabed_prepare(struct seabed *seabed, const struct frame *frame, const struct world *world)
 {
-    static const char *const defines[SEABED_KINDS] = {"#define PATTERN\n", "#define WET\n#define ON_FLOOR\n",
+    static const char *const defines[SEABED_KINDS] = {"#define WET\n#define ON_FLOOR\n",
                                                       "#define WET\n#define ON_FLOOR\n#define PATTERN\n"};
+    if (!program_ready(frame->gl, &seabed->places, "render/seabed_places.glsl", ""))
+        return false;
     for (int i = 0; i < SEABED_KINDS; i++)
         if (!program_ready(frame->gl, seabed->programs + i, "render/seabed.glsl", defines[i]))
             return false;
@@ -45,26 +47,41 @@ bool seabed_prepare(struct seabed *seabed, const struct frame *frame, const stru
     return upload_relief(seabed, frame, world);
 }
 
-void seabed_draw(const struct physical *physical, const struct frame *frame, enum physical_layer layer, bool wet)
+static void draw_places(const struct physical *physical, const struct frame *frame, enum physical_layer layer)
 {
     struct dpl_gl *gl = frame->gl;
-    const struct dpl_scene *scene = frame->scene;
-    enum seabed_kind kind = !wet ? SEABED_DRY : scene->floor.pattern == WORLD_PLAIN ? SEABED_SAND : SEABED_PATTERN;
-    const struct gpu_program *program = physical->seabed.programs + kind;
-    double height = frame->camera->position[1] + scene->settings.depth;
+    const struct gpu_program *program = &physical->seabed.places;
+    double height = frame->camera->position[1] + frame->scene->settings.depth;
+    physical_begin_places(physical, gl, physical->layers[layer].depth.width, physical->layers[layer].depth.height);
     program_use(gl, program);
     physical_bind(physical, frame, program);
     program_int(gl, program, "layer", (int)layer);
-    program_int(gl, program, "pattern", scene->floor.pattern);
-    program_float(gl, program, "pattern_size", scene->floor.pattern_size);
-    program_vec3(gl, program, "pattern_joint", scene->floor.joint);
-    program_vec3(gl, program, "floor_color", scene->floor.color);
     rings_draw(&physical->rings, frame, program, height, fmin(frame->camera->far_plane, 1000) * FARTHEST,
                waves_extent(frame));
 }
 
+void seabed_draw(const struct physical *physical, const struct frame *frame, enum physical_layer layer)
+{
+    struct dpl_gl *gl = frame->gl;
+    const struct dpl_scene *scene = frame->scene;
+    enum seabed_kind kind = scene->floor.pattern == WORLD_PLAIN ? SEABED_SAND : SEABED_PATTERN;
+    const struct gpu_program *program = physical->seabed.programs + kind;
+    draw_places(physical, frame, layer);
+    layer_resume(gl, physical->layers + layer);
+    program_use(gl, program);
+    physical_bind(physical, frame, program);
+    program_int(gl, program, "pattern", scene->floor.pattern);
+    program_float(gl, program, "pattern_size", scene->floor.pattern_size);
+    program_vec3(gl, program, "pattern_joint", scene->floor.joint);
+    program_vec3(gl, program, "floor_color", scene->floor.color);
+    texture_bind(gl, &physical->places.color, UNIT_SEABED_PLACES);
+    program_int(gl, program, "places", UNIT_SEABED_PLACES);
+    gpu_draw_screen(gl);
+}
+
 void seabed_finish(struct seabed *seabed, struct dpl_gl *gl)
 {
+    program_finish(gl, &seabed->places);
     for (int i = 0; i < SEABED_KINDS; i++)
         program_finish(gl, seabed->programs + i);
     texture_finish(gl, &seabed->relief);

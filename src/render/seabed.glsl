@@ -1,39 +1,28 @@
 /* The floor: sand with its relief, or tiles, lit by what comes through the water. */
+#include "gpu/screen.glsl"
+
+#ifdef FRAGMENT
 #include "render/view.glsl"
-#include "render/rings.glsl"
-
-uniform int layer;
-uniform sampler2D relief_texels; /* m above the flat floor, and its slopes; one repetition covers the tile */
-uniform float tile_floor;        /* m, y of the flat floor */
-uniform float relief_size;       /* m, the tile */
-
-#ifdef VERTEX
-out vec3 position;
-
-void main()
-{
-    float spacing;
-    vec2 xz = rings_place(spacing);
-    float level = log2(max(spacing * float(textureSize(relief_texels, 0).x) / relief_size, 1.0));
-    position = vec3(xz.x, tile_floor + textureLod(relief_texels, xz / relief_size + 0.5, level).x, xz.y);
-    gl_Position = view_projection * vec4(view_apparent(position, layer, -1.0), 1.0);
-}
-#else
 #include "render/receiver.glsl"
 #include "scene/pattern.glsl"
+uniform sampler2D relief_texels; /* m above the flat floor, and its slopes; one repetition covers the tile */
+uniform float relief_size;       /* m, the tile */
 uniform sampler2D sand;
 uniform sampler2D floor_ambient; /* irradiance from all around */
 uniform vec3 ambient_square;     /* m: the least x and z, and the side, that it covers */
 uniform int pattern;            /* scene/pattern.glsl; plain: sand */
 uniform float pattern_size;
 uniform vec3 pattern_joint, floor_color;
-in vec3 position;
+uniform sampler2D places; /* where a pixel shows the floor, and its depth (seabed_places.glsl); all 0: nowhere */
 out vec4 color;
 
 void main()
 {
-    if (!waves_cover(position.xz) || layer_leaves_out(position))
+    vec4 seen = texelFetch(places, ivec2(gl_FragCoord.xy), 0);
+    vec3 position = seen.xyz;
+    if (seen.w == 0.0 || !waves_cover(position.xz) || layer_leaves_out(position))
         discard;
+    gl_FragDepth = seen.w;
     vec2 place = position.xz / relief_size + 0.5;
     vec2 slopes = texture(relief_texels, place).yz;
     vec3 normal = normalize(vec3(-slopes.x, 1.0, -slopes.y));
