@@ -144,8 +144,10 @@ static void check_ceiling(const struct dpl_scene *scene, const struct dpl_image 
 static void check_thrown(struct physical_fixture *fixture)
 {
     struct dpl_scene *scene = ceiling_scene(fixture);
-    for (int shadowed = 0; shadowed < 2; shadowed++) {
+    for (int i = 0; i < 4; i++) {
+        bool shadowed = i & 1;
         support_set(scene, "object.plate.casts", shadowed ? "yes" : "no");
+        support_set(scene, "caustics.reflected_slices", i & 2 ? "0" : "4");
         struct dpl_image *image = physical_radiance(fixture, scene, 128, 128);
         check_ceiling(scene, image, shadowed);
         dpl_image_destroy(image);

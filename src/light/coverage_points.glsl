@@ -1,5 +1,5 @@
-/* A pass of coverage_gpu.c where there are no compute shaders: a point for every cell, as wide as the cell's image, whose
- * fragments are blended together. */
+/* A pass of coverage_gpu.c where there are no compute shaders: a point for every cell, as wide as the cell's image,
+ * whose fragments are blended together. */
 #include "light/coverage_area.glsl"
 
 #ifdef VERTEX

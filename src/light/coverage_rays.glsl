@@ -1,5 +1,5 @@
-/* The first pass of coverage_gpu.c: every vertex of the surface bends the light from the middle of the sun, whatever the
- * number of receivers. What leaves height h meets the receiver at height y after moving (u, v) (y - h). */
+/* The first pass of coverage_gpu.c: every vertex of the surface bends the light from the middle of the sun, whatever
+ * the number of receivers. What leaves height h meets the receiver at height y after moving (u, v) (y - h). */
 #include "gpu/screen.glsl"
 
 #ifdef FRAGMENT

@@ -1,5 +1,5 @@
-/* Collard & Mundi 2022, section 3.5, as their program clamps it: sand, brightened by caustics, dimmed by depth, tinted by the
- * water. */
+/* Collard & Mundi 2022, section 3.5, as their program clamps it: sand, brightened by caustics, dimmed by depth,
+ * tinted by the water. */
 uniform float size, depth; /* m */
 
 #ifdef VERTEX

@@ -1,5 +1,5 @@
-/* Collard & Mundi 2022, section 3.6: Phong's shading, its green weighted by 2q - q², its highlights white above a threshold,
- * its opacity q plus the highlight. */
+/* Collard & Mundi 2022, section 3.6: Phong's shading, its green weighted by 2q - q², its highlights white above a
+ * threshold, its opacity q plus the highlight. */
 #include "render/water_mesh.glsl"
 
 #ifdef FRAGMENT

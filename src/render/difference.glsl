@@ -24,7 +24,8 @@ out vec4 color;
 
 void main()
 {
-    vec3 other = texture(other_texels, vec3((place - light_window.xy) / light_window.z, 0.0), -0.7).rgb; /* as light_at() */
+    vec2 there = (place - light_window.xy) / light_window.z;
+    vec3 other = texture(other_texels, vec3(there, 0.0), -0.7).rgb; /* as light_at() */
     if (other_channels == 1)
         other = other.rrr;
     float difference = clamp(dot(light_at(place) * gain - other, vec3(1.0 / 3.0)) / range, -1.0, 1.0);

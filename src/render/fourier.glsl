@@ -1,5 +1,5 @@
-/* Everything in one fragment: the ray of sight meets the floor, from there a ray goes straight up, leaves the water at the
- * surface above, and samples the light. */
+/* Everything in one fragment: the ray of sight meets the floor, from there a ray goes straight up, leaves the water
+ * at the surface above, and samples the light. */
 #include "gpu/screen.glsl"
 
 #ifdef FRAGMENT

@@ -114,21 +114,21 @@ static void bind_shadow(const struct physical *physical, const struct frame *fra
     struct dpl_gl *gl = frame->gl;
     const struct shadow *shadow = &physical->shadow;
     double disc = 2 * physical->light.sun_spread / physical->light.to_sun[1];
-    float square[4], reflected[4];
+    float square[4], thrown[4];
     for (int i = 0; i < 4; i++) {
         square[i] = (float)shadow->square[i];
-        reflected[i] = (float)shadow->reflected_square[i];
+        thrown[i] = (float)shadow->thrown_square[i];
     }
     program_vec4s(gl, program, "shadow_square", 1, square);
-    program_vec4s(gl, program, "reflected_square", 1, reflected);
+    program_vec4s(gl, program, "shadow_thrown_square", 1, thrown);
     program_vec2(gl, program, "shadow_span", shadow->span[0], shadow->span[1]);
     program_float(gl, program, "shadow_disc", disc);
     program_float(gl, program, "shadow_waves", fmax(disc, SHADOW_WAVES));
     program_int(gl, program, "shadow_taps", physical->quality.shadow_taps);
     texture_bind(gl, &shadow->map.depth, UNIT_SHADOW);
     program_int(gl, program, "shadow_heights", UNIT_SHADOW);
-    texture_bind(gl, &shadow->reflected.depth, UNIT_SHADOW_REFLECTED);
-    program_int(gl, program, "reflected_heights", UNIT_SHADOW_REFLECTED);
+    texture_bind(gl, &shadow->thrown.depth, UNIT_SHADOW_THROWN);
+    program_int(gl, program, "shadow_thrown_heights", UNIT_SHADOW_THROWN);
 }
 
 /* Where the water carries what sways in it. */

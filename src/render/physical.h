@@ -3,11 +3,15 @@
  * The order of a frame (look_physical.c draws it):
  *
  *     waves     the surface with smaller levels, for sight
- *     shadow    how high solids stand in the sun's way, above and below the surface
+ *     shadow    how high solids stand in the sun's way, above and below the surface;
+ *               how low in the way of what the water throws up
  *     layers    solids and floor: straight; through the rest surface; mirrored in it
  *     shafts    the sun's light in the water along every sight, from an eye in it
- *     backdrop  what is seen straight, and the sky or the open water behind
- *     sea       the surface, which looks into the other two layers */
+ *     sea       the surface, which looks into the other two layers
+ *     backdrop  where it is not: what is seen straight, and the sky or the open water behind
+ *
+ * Floor and surface are meshes of many small triangles. Where a pixel shows them is drawn first (places.glsl); what is
+ * seen there is then computed once for each pixel, however many triangles share it. */
 #ifndef RENDER_PHYSICAL_H
 #define RENDER_PHYSICAL_H
 
@@ -46,7 +50,7 @@ enum physical_unit {
     UNIT_MIRROR_DEPTH,
     UNIT_SHAFTS,
     UNIT_SEABED_PLACES = UNIT_SHAFTS,
-    UNIT_SHADOW_REFLECTED,
+    UNIT_SHADOW_THROWN,
 };
 
 /* The light of the scene in numbers; what render/volume.glsl and render/receiver.glsl get. */
@@ -76,8 +80,8 @@ struct sky_texture {
 
 struct shadow {
     struct gpu_program cast;
-    struct gpu_layer map, reflected; /* for light from the sun, and for what the water throws up: 1 × 1 without that */
-    double square[4], reflected_square[4], span[2]; /* as in render/shadow.glsl */
+    struct gpu_layer map, thrown; /* for light from the sun, and for what the water throws up: 1 × 1 without that */
+    double square[4], thrown_square[4], span[2]; /* as in render/shadow.glsl */
 };
 
 struct solids {

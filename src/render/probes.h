@@ -19,7 +19,7 @@ struct probe {
 /* All zero: none. */
 struct probes {
     struct probe *all; /* sorted by part and cell */
-    int count, room;
+    int count;
     double *spacing; /* m, the side of a cell, of each part */
     int *parts;      /* of each vertex; -1: of none */
 };

@@ -9,9 +9,10 @@ uniform int caustics;                /* 0: the water's light is that of flat wat
 uniform vec3 sun_reflected;          /* irradiance on a ceiling of what flat water throws back */
 uniform sampler2DArray reflected_texels;
 uniform vec3 reflected_window, reflected_step; /* as in light/map.glsl */
-uniform float reflected_height;                /* m, of the last layer; 0: there are none, and it is that of flat water */
+uniform float reflected_height;                /* m, of the last layer; 0: none, it is that of flat water */
 
-/* A layer shows what is in the water, or what is not; both a little beyond the surface, coarse far off as its mesh is. */
+/* A layer shows what is in the water, or what is not; both a little beyond the surface, coarse far off as its mesh
+ * is. */
 bool layer_leaves_out(vec3 point)
 {
     float slack = 0.01 + 0.004 * distance(point, eye);
@@ -76,7 +77,7 @@ vec3 receiver_above(vec3 point, vec3 normal, float lit)
     float facing = max(-dot(normal, up_way), 0.0) / up_way.y;
     bool thrown = facing > 0.0 && waves_cover(origin.xz);
     float shown = thrown ? shadow_light(origin + vec3(0.0, 1e-3, 0.0), vec3(0.0), to_sun, thrown) : 0.0;
-    shown *= shadow_thrown(point, origin.xz, thrown && reflected_height > 0.0);
+    shown *= shadow_thrown(point, origin.xz, thrown);
     return sun_irradiance * lit * max(dot(normal, to_sun), 0.0) + sun_reflected * light * facing * shown;
 }
 

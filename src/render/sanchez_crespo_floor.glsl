@@ -1,5 +1,5 @@
-/* The floor's two passes: the sand in the light from all around; and, ADDED to it, the caustics on a mesh as fine as that
- * of the waves. */
+/* The floor's two passes: the sand in the light from all around; and, ADDED to it, the caustics on a mesh as fine as
+ * that of the waves. */
 uniform float size, depth; /* m */
 uniform vec3 tile;         /* m, where the tile's middle is */
 

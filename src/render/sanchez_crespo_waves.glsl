@@ -1,5 +1,5 @@
-/* The waves: the sky in a planar environment map, by as much as Fresnel's equations throw back. Seen from below, the sky
- * through the surface, or the water's own colour where that throws all light back. */
+/* The waves: the sky in a planar environment map, by as much as Fresnel's equations throw back. Seen from below, the
+ * sky through the surface, or the water's own colour where that throws all light back. */
 #include "render/water_mesh.glsl"
 
 #ifdef FRAGMENT

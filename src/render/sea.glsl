@@ -103,7 +103,10 @@ vec3 thrown_and_let(vec3 to_eye, vec3 normal, vec3 slope)
     vec4 below = layer_color(through_color, through_depth, LAYER_THROUGH, into, way);
     vec3 let = seen_below(below, into, way);
     vec3 sparkle = glint(to_eye, slope.xy, slope.z);
-    sparkle *= shadow_light(position, vec3(0.0), to_sun, max(max(sparkle.r, sparkle.g), sparkle.b) > 1e-4);
+    /* a loop of no turns costs nothing where a device goes both ways of every condition */
+    int bright = max(max(sparkle.r, sparkle.g), sparkle.b) > 1e-4 ? 1 : 0;
+    for (int i = 0; i < bright; i++)
+        sparkle *= shadow_light(position, vec3(0.0), to_sun, true);
     return share * thrown + (1.0 - share) / (ior * ior) * let + sparkle;
 }
 #else

@@ -27,7 +27,8 @@ void main()
     vec2 slopes = texture(relief_texels, place).yz;
     vec3 normal = normalize(vec3(-slopes.x, 1.0, -slopes.y));
 #ifdef PATTERN
-    vec3 reflectance = pattern_color(pattern, pattern_size, pattern_joint, floor_color, position.xz, fwidth(position.xz));
+    vec2 wide = fwidth(position.xz);
+    vec3 reflectance = pattern_color(pattern, pattern_size, pattern_joint, floor_color, position.xz, wide);
 #else
     vec3 reflectance = texture(sand, place).rgb;
 #endif

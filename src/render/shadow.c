@@ -44,16 +44,18 @@ bool shadow_prepare(struct shadow *shadow, const struct frame *frame, const stru
         double thrown[3];
         find_thrown(physical, thrown);
         frame_square(world, physical->light.to_sun, physical->light.sun_way, shadow->square);
-        frame_square(world, thrown, NULL, shadow->reflected_square);
+        frame_square(world, thrown, NULL, shadow->thrown_square);
         /* where nothing casts the map has its lowest height, which nothing that is lit lies below */
         double lowest = fmin(world->low[1], -frame->scene->settings.depth) - 2;
         shadow->span[0] = lowest;
         shadow->span[1] = world->high[1] - lowest + 0.01;
     }
-    int side = casts ? physical->quality.shadow_side : 1, reflected_side = frame->reflected ? side : 1;
+    int side = casts ? physical->quality.shadow_side : 1;
+    /* without caustics in it, what the water throws up lights little */
+    int thrown_side = world->high[1] <= 0 ? 1 : frame->reflected ? side : (side + 3) / 4;
     return program_ready(frame->gl, &shadow->cast, "render/shadow_cast.glsl", "") &&
            layer_resize(frame->gl, &shadow->map, 0, side, side) &&
-           layer_resize(frame->gl, &shadow->reflected, 0, reflected_side, reflected_side);
+           layer_resize(frame->gl, &shadow->thrown, 0, thrown_side, thrown_side);
 }
 
 /* Draws what stands above the rest surface, or below it, along its light's way; `thrown`: up from the water. */
@@ -80,8 +82,8 @@ void shadow_draw(struct shadow *shadow, const struct frame *frame, const struct 
         cast(shadow, frame, physical, physical->light.sun_way, false, false);
         cast(shadow, frame, physical, physical->light.to_sun, true, false);
     }
-    layer_begin(gl, &shadow->reflected);
-    if (shadow->span[1] > 0 && frame->reflected)
+    layer_begin(gl, &shadow->thrown);
+    if (shadow->span[1] > 0 && physical->world.high[1] > 0)
         cast(shadow, frame, physical, thrown, true, true);
     gl->Disable(GL_DEPTH_TEST);
 }
@@ -90,5 +92,5 @@ void shadow_finish(struct shadow *shadow, struct dpl_gl *gl)
 {
     program_finish(gl, &shadow->cast);
     layer_finish(gl, &shadow->map);
-    layer_finish(gl, &shadow->reflected);
+    layer_finish(gl, &shadow->thrown);
 }

@@ -1,12 +1,13 @@
 /* Shadows of solids. Light that comes to a point has passed the rest surface at some place, straight above the water
  * or along its refracted way below it; the map holds, for each such place, how high the highest solid stands on that
- * light's way (shadow_cast.glsl). So a shadow goes on through the surface without a step. */
+ * light's way (shadow_cast.glsl). So a shadow goes on through the surface without a step. A second map holds how low
+ * the lowest solid stands in the way of what the water throws up at such a place. */
 #include "render/volume.glsl"
 uniform sampler2D shadow_heights; /* 0 at shadow_span.x + shadow_span.y, 1 at shadow_span.x */
 uniform vec4 shadow_square;       /* m: the least x and z, and the sides, of the places */
 uniform vec2 shadow_span;         /* m: the least height, and how far the highest is above it; 0: nothing casts */
-uniform sampler2D reflected_heights; /* the lowest solid in the way of what the water throws up: 0 at shadow_span.x */
-uniform vec4 reflected_square;
+uniform sampler2D shadow_thrown_heights; /* lowest solid in the way of what the water throws up: 0 at shadow_span.x */
+uniform vec4 shadow_thrown_square;       /* as shadow_square */
 uniform float shadow_disc;        /* m that the sun's disc widens a shadow by for each m of height, above the water */
 uniform float shadow_waves;       /* the same by the slopes of the waves, below it */
 uniform int shadow_taps;
@@ -88,16 +89,16 @@ float shadow_light(vec3 point, vec3 normal, vec3 to_sun, bool asked)
  * `asked`. Waves throw it much further aside than they bend what they let through. */
 float shadow_thrown(vec3 point, vec2 origin, bool asked)
 {
-    float texel = max(reflected_square.z, reflected_square.w) / float(textureSize(reflected_heights, 0).x);
-    vec2 place = (origin - reflected_square.xy) / reflected_square.zw, outside = abs(place - 0.5);
+    float texel = max(shadow_thrown_square.z, shadow_thrown_square.w) / float(textureSize(shadow_thrown_heights, 0).x);
+    vec2 place = (origin - shadow_thrown_square.xy) / shadow_thrown_square.zw, outside = abs(place - 0.5);
     bool inside = asked && shadow_span.y > 0.0 && max(outside.x, outside.y) < 0.5;
     float radius = 1.5 * texel + 2.0 * shadow_waves * point.y, angle = 6.2831853 * shadow_noise(), covered = 0.0;
-    float bias = point.y - 0.05 - 2.0 * texel;
+    float bias = point.y - 0.05 - 2.0 * texel; /* what is nearer below is the thing itself, or lies against it */
     vec2 direction = vec2(cos(angle), sin(angle));
     int count = inside ? shadow_taps : 0;
     for (int i = 0; i < count; i++) {
         vec2 away = direction * sqrt((float(i) + 0.5) / float(shadow_taps)) * radius;
-        float height = textureLod(reflected_heights, place + away / reflected_square.zw, 0.0).r;
+        float height = textureLod(shadow_thrown_heights, place + away / shadow_thrown_square.zw, 0.0).r;
         covered += step(shadow_span.x + shadow_span.y * height, bias);
         direction = SHADOW_TURN * direction;
     }

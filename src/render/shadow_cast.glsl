@@ -1,7 +1,7 @@
 /* Draws solids into the map of shadows: a point lands where its light passes the rest surface, as deep as the highest
  * solid is above it. What is above that surface and what is below are drawn apart, each along its own slant. For light
  * that the water throws up the lowest solid counts. */
-uniform vec4 shadow_square, reflected_square; /* as in render/shadow.glsl */
+uniform vec4 shadow_square, shadow_thrown_square; /* as in render/shadow.glsl */
 uniform vec2 shadow_span;
 uniform vec2 slant;      /* of the light's way: x and z for each m of y */
 uniform float above;     /* 1: what is above the surface, -1: what is below */
@@ -14,7 +14,7 @@ out float height;
 void main()
 {
     vec3 point = solid_position();
-    vec4 square = thrown != 0 ? reflected_square : shadow_square;
+    vec4 square = thrown != 0 ? shadow_thrown_square : shadow_square;
     vec2 place = (point.xz - slant * point.y - square.xy) / square.zw;
     height = point.y;
     float share = (point.y - shadow_span.x) / shadow_span.y, depth = thrown != 0 ? share : 1.0 - share;

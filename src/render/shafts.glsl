@@ -17,7 +17,8 @@ uniform vec2 shafts_corner; /* texels, of this picture in the whole */
 uniform float pixel;     /* m that a texel of this picture is wide, for each m of way */
 out vec4 color;
 
-/* Share of what is scattered that goes too far aside to keep a shaft a shaft: 7° and more, where anisotropy is 0.924. */
+/* Share of what is scattered that goes too far aside to keep a shaft a shaft: 7° and more, where anisotropy is
+ * 0.924. */
 const float BLUR = 0.5;
 
 /* The sun's light at a point in units of flat water's, by the nearest layer along its way; `width` m around. */

@@ -1,4 +1,5 @@
-/* What a choppy surface is like straight above and below the vertices of its grid: the GPU's twin of surface_flatten(). */
+/* What a choppy surface is like straight above and below the vertices of its grid: the GPU's twin of
+ * surface_flatten(). */
 #include "gpu/screen.glsl"
 
 #ifdef FRAGMENT
