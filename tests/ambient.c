@@ -91,6 +91,19 @@ static void shadows_take_the_sun_away(void **state)
     expect(bake(place, 0, 0, 0, -1, 64), (1 + 0.5 * 0.5) * 0.5 * 2 * sin(M_PI / 3), 0.02);
 }
 
+/* A box stands between two places on the floor, and not between two others. */
+static void a_box_parts_places(void **state)
+{
+    struct place *place = *state;
+    put_box(place, (const double[3]){-0.2, -1.5, -1}, (const double[3]){0.2, 0.5, 1}, true);
+    const float pairs[3][6] = {{-1, -0.9f, 0, 1, -0.9f, 0}, {-1, -0.9f, -1, -1, -0.9f, 1}, {1, 0.6f, 0, -1, 0.6f, 0}};
+    bool clear[3];
+    assert_true(ambient_clear(&place->world, 3, pairs[0], clear, NULL));
+    assert_false(clear[0]);
+    assert_true(clear[1]);
+    assert_true(clear[2]);
+}
+
 /* For any number of threads, and with solids, water and scattering. */
 static void threads_do_not_show(void **state)
 {
@@ -125,6 +138,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(sunlit_floor_lights_what_is_above, setup, teardown),
         cmocka_unit_test_setup_teardown(sun_through_flat_water, setup, teardown),
         cmocka_unit_test_setup_teardown(shadows_take_the_sun_away, setup, teardown),
+        cmocka_unit_test_setup_teardown(a_box_parts_places, setup, teardown),
         cmocka_unit_test_setup_teardown(threads_do_not_show, setup, teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -67,3 +67,24 @@ bool ambient_bake(const struct camera_world *world, int count, const float *posi
     camera_scene_finish(&scene);
     return true;
 }
+
+bool ambient_clear(const struct camera_world *world, int count, const float *pairs, bool *clear,
+                   const struct dpl_log *log)
+{
+    struct camera_scene scene;
+    if (!camera_scene_make(&scene, world, log))
+        return false;
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < count; i++) {
+        double from[3], way[3];
+        for (int c = 0; c < 3; c++) {
+            from[c] = (double)pairs[6 * i + c];
+            way[c] = (double)pairs[6 * i + 3 + c] - from[c];
+        }
+        double length = sqrt(vector3_dot(way, way));
+        vector3_normalize(way);
+        clear[i] = camera_scene_clear(&scene, from, way, length);
+    }
+    camera_scene_finish(&scene);
+    return true;
+}

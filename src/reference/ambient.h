@@ -15,4 +15,9 @@
 bool ambient_bake(const struct camera_world *world, int count, const float *positions, const float *normals,
                   const int *rays, float *irradiance, const struct dpl_log *log);
 
+/* Whether no solid and no floor stands between `count` pairs of places, 2 × 3 numbers each. False (logged): no memory.
+ */
+bool ambient_clear(const struct camera_world *world, int count, const float *pairs, bool *clear,
+                   const struct dpl_log *log);
+
 #endif

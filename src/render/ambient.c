@@ -13,6 +13,9 @@
 
 #define FLOOR_SIDE 48     /* points of the floor a side */
 #define FLOOR_MARGIN 2.0  /* m of floor around the solids */
+#define ABOVE_FLOOR 0.05  /* m that sight from one of them to the next passes above it */
+#define BURIED 1e-2       /* of the brightest: darker is what lies within a solid */
+#define APART 4           /* times as bright is what lies on another side of a wall; less may be one side's shade */
 #define WHOLE_SPACING 0.3 /* m between the probes of a part that have all rays */
 #define LEAST_RAYS 0.25   /* share of them */
 
@@ -94,6 +97,58 @@ static void place_floor(const struct physical *physical, const struct frame *fra
     }
 }
 
+static float brightness(const float irradiance[3])
+{
+    return irradiance[0] + irradiance[1] + irradiance[2];
+}
+
+/* The index of the neighbour of a grid's place in one of eight directions; the place's own beyond the grid's edge. */
+static int neighbour(int side, int index, int direction)
+{
+    static const int steps[8][2] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
+    int x = index % side + steps[direction][0], z = index / side + steps[direction][1];
+    return x >= 0 && x < side && z >= 0 && z < side ? z * side + x : index;
+}
+
+/* Light is interpolated between places, also between two that a wall parts. Lest it reach through, a place that has two
+ * dark neighbours or more beyond a solid becomes as dark as the second darkest of them. */
+static void part_place(int side, int index, const bool clear[8], const float *irradiance, float buried, float *texels)
+{
+    int found[2] = {index, index}; /* the darkest, the second darkest */
+    for (int k = 0; k < 8; k++) {
+        int other = neighbour(side, index, k);
+        float dark = brightness(irradiance + 3 * other);
+        bool apart = !clear[k] && dark > buried && (float)APART * dark < brightness(irradiance + 3 * index);
+        if (apart && dark < brightness(irradiance + 3 * found[0])) {
+            found[1] = found[0];
+            found[0] = other;
+        } else if (apart && dark < brightness(irradiance + 3 * found[1])) {
+            found[1] = other;
+        }
+    }
+    memcpy(texels + 4 * index, irradiance + 3 * found[1], 3 * sizeof *texels);
+}
+
+static bool part_floor(const struct traced_world *traced, int side, const float *places, const float *irradiance,
+                       float *texels, const struct dpl_log *log)
+{
+    int count = side * side;
+    float *pairs = base_allocate(log, (size_t)count * 8 * 6, sizeof *pairs, "ambient light"), most = 0;
+    bool *clear = base_allocate(log, (size_t)count * 8, sizeof *clear, "ambient light");
+    for (int i = 0; pairs && i < count * 8; i++) {
+        int ends[2] = {i / 8, neighbour(side, i / 8, i % 8)};
+        for (int k = 0; k < 6; k++)
+            pairs[6 * i + k] = places[3 * ends[k / 3] + k % 3] + (k % 3 == 1 ? (float)ABOVE_FLOOR : 0);
+        most = fmaxf(most, brightness(irradiance + 3 * ends[0]));
+    }
+    bool ok = pairs && clear && ambient_clear(&traced->camera, count * 8, pairs, clear, log);
+    for (int i = 0; ok && i < count; i++)
+        part_place(side, i, clear + 8 * i, irradiance, (float)BURIED * most, texels);
+    free(pairs);
+    free(clear);
+    return ok;
+}
+
 static bool bake_floor(struct physical *physical, const struct frame *frame, const struct traced_world *traced)
 {
     const struct dpl_log *log = frame->gl->log;
@@ -111,9 +166,8 @@ static bool bake_floor(struct physical *physical, const struct frame *frame, con
     place_floor(physical, frame, side, places, normals);
     for (size_t i = 0; i < count; i++)
         rays[i] = physical->quality.ambient_rays;
-    bool ok = ambient_bake(&traced->camera, (int)count, places, normals, rays, irradiance, log);
-    for (size_t i = 0; ok && i < count; i++)
-        memcpy(texels + 4 * i, irradiance + 3 * i, 3 * sizeof *texels);
+    bool ok = ambient_bake(&traced->camera, (int)count, places, normals, rays, irradiance, log) &&
+              part_floor(traced, side, places, irradiance, texels, log);
     if (ok) {
         texture_resize(frame->gl, &seabed->ambient, GL_RGBA16F, side, side, TEXTURE_CLAMP, TEXTURE_LINEAR);
         texture_upload(frame->gl, &seabed->ambient, texels);
