@@ -54,13 +54,20 @@ const struct dpl_param *param_find(const struct dpl_param *table, const char *na
     return NULL;
 }
 
-/* Reports "where: what: "text" (accepted: …)". */
+static const char *choice_name(const void *param, int i)
+{
+    return ((const struct dpl_param *)param)->choice(i);
+}
+
+/* Reports "where: what: "text" (accepted: …)", with a hint where it is a choice. */
 static bool reject(const struct dpl_param *param, enum dpl_reason reason, const char *where, const char *what,
                    const char *text, const struct dpl_log *log)
 {
-    char accepted[512];
+    char accepted[512], hint[64] = "";
     dpl_param_describe(param, accepted, sizeof accepted);
-    return base_fail(log, reason, "%s: %s: \"%.80s\" (accepted: %s)", where, what, text, accepted);
+    if (param->type == DPL_PARAM_CHOICE)
+        dpl_hint(text, choice_name, param, hint, sizeof hint);
+    return base_fail(log, reason, "%s: %s: \"%.80s\" (%saccepted: %s)", where, what, text, hint, accepted);
 }
 
 static bool parse_numbers(const struct dpl_param *param, void *value, const char *text, const char *where,
@@ -104,11 +111,6 @@ static bool parse_bool(const struct dpl_param *param, bool *value, const char *t
     return reject(param, DPL_REASON_VALUE, where, "neither true nor false", text, log);
 }
 
-static const char *choice_name(const void *param, int i)
-{
-    return ((const struct dpl_param *)param)->choice(i);
-}
-
 static bool parse_choice(const struct dpl_param *param, int *value, const char *text, const char *where,
                          const struct dpl_log *log)
 {
@@ -118,11 +120,7 @@ static bool parse_choice(const struct dpl_param *param, int *value, const char *
             return true;
         }
     }
-    char accepted[512], hint[64];
-    dpl_param_describe(param, accepted, sizeof accepted);
-    dpl_hint(text, choice_name, param, hint, sizeof hint);
-    return base_fail(log, DPL_REASON_CHOICE, "%s: no such choice: \"%.80s\" (%saccepted: %s)", where, text, hint,
-                     accepted);
+    return reject(param, DPL_REASON_CHOICE, where, "no such choice", text, log);
 }
 
 /* Scene text has no quotes: what would end a line, start a comment or be trimmed cannot stand in it. */

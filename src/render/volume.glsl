@@ -42,8 +42,8 @@ vec3 volume_source(float cosine, float narrow, float way)
 }
 
 /* What light from one direction adds to a sight of `way` metres along `ray` from a depth; `light`: its irradiance
- * across its way just below the surface, `slant`: metres of that for each of depth. By Gauss's two points, at (1 ±
- * 1/√3) / 2 of what fades; how fast that is green says, with a little of the scattering, which keeps most of the
+ * across its way just below the surface, `slant`: metres of that for each of depth. By Gauss's two points, at
+ * (1 ± 1/√3) / 2 of what fades; how fast that is green says, with a little of the scattering, which keeps most of the
  * light. */
 vec3 volume_glow_of(vec3 light, vec3 light_way, float slant, float narrow, float depth, vec3 ray, float way)
 {

@@ -58,14 +58,14 @@ static bool build(struct world_builder *builder, const struct scene_object *obje
     (void)seed; /* all copies are alike */
     struct world_part material = builder_material(object);
     struct io_mesh mesh;
-    if (object->file[0] == '\0')
-        return base_fail(builder->log, DPL_REASON_VALUE,
-                         "%s.file: no file is named (accepted: the name of a mesh, .obj .gltf .glb .ply .stl)",
-                         builder->name);
     char key[SCENE_OBJECT_NAME_SIZE + sizeof ".file"];
     snprintf(key, sizeof key, "%s.file", builder->name);
     struct base_named_log named = {.name = key, .outer = builder->log};
-    if (!io_mesh_read(object->file, &mesh, base_name_log(&named)))
+    const struct dpl_log *log = base_name_log(&named);
+    if (object->file[0] == '\0')
+        return base_fail(log, DPL_REASON_VALUE,
+                         "no file is named (accepted: the name of a mesh, .obj .gltf .glb .ply .stl)");
+    if (!io_mesh_read(object->file, &mesh, log))
         return false;
     material.two_sided = true; /* a file's surfaces may be open, and wound either way */
     builder_part(builder, &material);
