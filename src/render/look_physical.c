@@ -39,8 +39,9 @@ static bool update_layers(struct physical *physical, const struct frame *frame)
 
 static bool prepare_seas(struct physical *physical, struct dpl_gl *gl)
 {
-    static const char *const defines[SEA_KINDS] = {"#define ABOVE\n", "#define ABOVE\n#define MIRRORED\n", "",
-                                                   "#define PANE\n"};
+    static const char *const defines[SEA_KINDS] = {"#define PANE 0\n#define ABOVE\n",
+                                                   "#define PANE 0\n#define ABOVE\n#define MIRRORED\n",
+                                                   "#define PANE 0\n", "#define PANE 1\n"};
     for (int i = 0; i < SEA_KINDS; i++)
         if (!program_ready(gl, physical->seas + i, "render/sea.glsl", defines[i]))
             return false;

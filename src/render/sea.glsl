@@ -119,7 +119,7 @@ vec3 thrown_and_let(vec3 to_eye, vec3 normal, vec3 slope)
     back.y = -abs(back.y);
     vec4 mirrored = layer_color(mirror_color, mirror_depth, LAYER_MIRROR, back, way);
     vec3 thrown = seen_below(mirrored, back, way);
-#ifdef PANE
+#if PANE
     vec4 above = vec4(0.0); /* the layer is that of the pane */
 #else
     vec4 above = layer_color(through_color, through_depth, LAYER_THROUGH, out_of, way);
@@ -133,7 +133,7 @@ vec3 thrown_and_let(vec3 to_eye, vec3 normal, vec3 slope)
 /* From where sight comes to the surface: the eye, or the pane. */
 vec3 sight_origin()
 {
-#ifdef PANE
+#if PANE
     vec3 ray = view_ray(target);
     return eye + ray * view_plane(ray);
 #else
@@ -158,10 +158,8 @@ void main()
         normal = normalize(normal + side * (0.02 - facing) * to_eye);
     float way = length(sight);
     vec3 radiance = thrown_and_let(to_eye, normal, slope);
-#ifndef ABOVE
-#ifndef PANE
+#if !defined ABOVE && !PANE
     radiance = shafts_sight(radiance, eye, -to_eye, way, target);
-#endif
 #endif
     color = vec4(radiance, 1.0);
 }

@@ -14,7 +14,13 @@ uniform float ior;
 uniform float side;       /* of the rest surface that the sight is on when it meets it: 1 above, -1 below */
 uniform vec4 plane;       /* unit normal towards the eye, and the plane's distance from the origin along it */
 uniform float plane_index; /* refractive index beyond the plane to that before it */
-uniform int pane;         /* the plane is a pane: what is mirrored in the rest surface is seen through it, too */
+/* 1: the plane is a pane; what is mirrored in the rest surface is seen through it, too. A shader that is made for one
+ * kind of sight knows it, which spares devices that go both ways of a condition. */
+#ifdef PANE
+const int pane = PANE;
+#else
+uniform int pane;
+#endif
 
 /* How far off along the plane sight of a point passes it: `level` m from the foot of the eye to that of the point,
  * `before` and `beyond` from the plane to each. By Snell's law s / |s, before| = index (level - s) / |level - s,
