@@ -60,7 +60,6 @@ static bool prepare(void *state, const struct frame *frame)
         !world_build(&physical->world, frame->scene, gl->log))
         return false;
     physical->light = physical_light(&physical->sky, frame);
-    physical->reach = waves_reach(frame);
     bool ok = update_layers(physical, frame) && rings_ready(&physical->rings, gl, RINGS, RING_VERTICES) &&
               shadow_prepare(&physical->shadow, frame, physical) && solids_prepare(&physical->solids, gl) &&
               seabed_prepare(&physical->seabed, frame, &physical->world) && ambient_update(physical, frame) &&

@@ -149,7 +149,6 @@ struct physical {
     struct physical_light light;
     struct quality quality;
     struct sight sight; /* that is drawn now */
-    double reach;       /* m that the water stands above or below its rest surface, at most */
     bool has_shafts;
 };
 

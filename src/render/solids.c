@@ -107,7 +107,7 @@ void solids_draw(const struct physical *physical, const struct frame *frame, enu
     program_use(gl, program);
     physical_bind(physical, frame, program);
     program_int(gl, program, "layer", (int)layer);
-    const float reach = (float)physical->reach;
+    const float reach = (float)physical->waves.reach;
     bool endless = waves_extent(frame) == 0;
     gl->BindVertexArray(physical->solids.array);
     for (int i = 0; i < world->part_count; i++) {

@@ -6,30 +6,9 @@
 
 enum { UNIT_SURFACE };
 
-bool waves_update(struct waves *waves, const struct frame *frame)
-{
-    struct dpl_gl *gl = frame->gl;
-    const struct surface_gpu *surface = frame->above;
-    if (!program_ready(gl, &waves->make, "render/waves_make.glsl", ""))
-        return false;
-    texture_resize(gl, &waves->texels, GL_RGBA16F, surface->texels.width, surface->texels.height,
-                   surface->periodic ? TEXTURE_REPEAT : TEXTURE_CLAMP, TEXTURE_MIPMAP);
-    texture_draw_to(gl, &waves->texels);
-    program_use(gl, &waves->make);
-    surface_gpu_bind(gl, surface, &waves->make, UNIT_SURFACE);
-    gpu_draw_screen(gl);
-    texture_make_mipmaps(gl, &waves->texels);
-    return true;
-}
-
-double waves_extent(const struct frame *frame)
-{
-    const struct scene_settings *settings = &frame->scene->settings;
-    return settings->edge != SCENE_EDGE_OPEN || !frame->above->periodic ? settings->size / 2 : 0;
-}
-
-/* From points all over the tile, and something for what lies between them. */
-double waves_reach(const struct frame *frame)
+/* m that the surface stands above or below its rest at most: from points all over the tile, and something for what
+ * lies between them. */
+static double find_reach(const struct frame *frame)
 {
     enum { SIDE = 16 };
     double x[SIDE * SIDE], z[SIDE * SIDE], height[SIDE * SIDE], slopes[2][SIDE * SIDE], shifts[2][SIDE * SIDE],
@@ -45,6 +24,29 @@ double waves_reach(const struct frame *frame)
     return 2 * reach + 0.05;
 }
 
+bool waves_update(struct waves *waves, const struct frame *frame)
+{
+    struct dpl_gl *gl = frame->gl;
+    const struct surface_gpu *surface = frame->above;
+    if (!program_ready(gl, &waves->make, "render/waves_make.glsl", ""))
+        return false;
+    texture_resize(gl, &waves->texels, GL_RGBA16F, surface->texels.width, surface->texels.height,
+                   surface->periodic ? TEXTURE_REPEAT : TEXTURE_CLAMP, TEXTURE_MIPMAP);
+    texture_draw_to(gl, &waves->texels);
+    program_use(gl, &waves->make);
+    surface_gpu_bind(gl, surface, &waves->make, UNIT_SURFACE);
+    gpu_draw_screen(gl);
+    texture_make_mipmaps(gl, &waves->texels);
+    waves->reach = find_reach(frame);
+    return true;
+}
+
+double waves_extent(const struct frame *frame)
+{
+    const struct scene_settings *settings = &frame->scene->settings;
+    return settings->edge != SCENE_EDGE_OPEN || !frame->above->periodic ? settings->size / 2 : 0;
+}
+
 void waves_bind(const struct waves *waves, const struct frame *frame, const struct gpu_program *program, int unit)
 {
     struct dpl_gl *gl = frame->gl;
@@ -57,6 +59,7 @@ void waves_bind(const struct waves *waves, const struct frame *frame, const stru
     program_float(gl, program, "waves_extent", waves_extent(frame));
     program_float(gl, program, "waves_wall",
                   waves_extent(frame) + (frame->scene->settings.edge == SCENE_EDGE_GLASS ? -WALL : WALL));
+    program_float(gl, program, "waves_reach", waves->reach);
     program_float(gl, program, "waves_roughness", frame->scene->medium.roughness * frame->scene->medium.roughness);
 }
 

@@ -8,6 +8,7 @@
 struct waves {
     struct gpu_program make;
     struct gpu_texture texels; /* height, slopes along x and z, square of the slopes */
+    double reach;              /* m that the water stands above or below its rest surface, at most */
 };
 
 /* Makes it from the frame's surface. */
@@ -18,9 +19,6 @@ void waves_bind(const struct waves *waves, const struct frame *frame, const stru
 
 /* Half a side of the square of water that there is, m; 0: it has no end. */
 double waves_extent(const struct frame *frame);
-
-/* m that the water stands above or below its rest surface, at most. */
-double waves_reach(const struct frame *frame);
 
 void waves_finish(struct waves *waves, struct dpl_gl *gl);
 
