@@ -164,6 +164,28 @@ static void objects_are_tilted_and_then_turned(void **state)
     check_triangles(&fixture->world);
 }
 
+/* A leaning pole comes above a level by a part of it, but its triangles lie all along; a box below is not counted. */
+static void what_comes_above_a_level_is_boxed(void **state)
+{
+    struct fixture *fixture = *state;
+    double low[3], high[3];
+    support_set(fixture->scene, "object.a.shape", "pole");
+    support_set(fixture->scene, "object.a.size", "0.1 2 0.1");
+    support_set(fixture->scene, "object.a.on_floor", "no");
+    support_set(fixture->scene, "object.a.position", "0 -1 0");
+    support_set(fixture->scene, "object.a.tilt", "45");
+    support_set(fixture->scene, "object.b.size", "1 1 1");
+    support_set(fixture->scene, "object.b.on_floor", "no");
+    support_set(fixture->scene, "object.b.position", "9 -2 0");
+    build(fixture);
+    world_box(&fixture->world, 0, -0.5, low, high);
+    expect_near(high[1], fixture->world.high[1], 1e-6);
+    assert_true(low[0] < 0.5 && low[1] < -0.5 && high[0] < 1.5);
+    expect_near(fixture->world.high[0], 9.5, 1e-5);
+    world_box(&fixture->world, 0, 3, low, high);
+    assert_true(low[0] > high[0]);
+}
+
 /* The side of a box that faces its own +x: turned by 30 degrees towards +z; tilted down by 20 first. */
 static void sides_face_where_they_are_turned(void **state)
 {
@@ -352,6 +374,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(shapes_are_whole, setup, teardown),
         cmocka_unit_test_setup_teardown(shapes_have_their_size, setup, teardown),
         cmocka_unit_test_setup_teardown(boxes_are_divided, setup, teardown),
+        cmocka_unit_test_setup_teardown(what_comes_above_a_level_is_boxed, setup, teardown),
         cmocka_unit_test_setup_teardown(objects_are_tilted_and_then_turned, setup, teardown),
         cmocka_unit_test_setup_teardown(sides_face_where_they_are_turned, setup, teardown),
         cmocka_unit_test_setup_teardown(copies_stand_in_their_disc, setup, teardown),

@@ -37,15 +37,19 @@ static bool update_layers(struct physical *physical, const struct frame *frame)
     return layer_resize(frame->gl, &physical->places, GL_RGBA32F, frame->view.columns, frame->view.rows);
 }
 
-static bool prepare_seas(struct physical *physical, struct dpl_gl *gl)
+static bool prepare_programs(struct physical *physical, struct dpl_gl *gl)
 {
-    static const char *const defines[SEA_KINDS] = {"#define PANE 0\n#define ABOVE\n",
-                                                   "#define PANE 0\n#define ABOVE\n#define MIRRORED\n",
-                                                   "#define PANE 0\n", "#define PANE 1\n"};
-    for (int i = 0; i < SEA_KINDS; i++)
-        if (!program_ready(gl, physical->seas + i, "render/sea.glsl", defines[i]))
+    static const char *const backdrops[2] = {"#define PANE 0\n", "#define PANE 1\n"};
+    static const char *const seas[SEA_KINDS] = {"#define PANE 0\n#define ABOVE\n",
+                                                "#define PANE 0\n#define ABOVE\n#define MIRRORED\n", "#define PANE 0\n",
+                                                "#define PANE 1\n"};
+    for (int i = 0; i < 2; i++)
+        if (!program_ready(gl, physical->backdrops + i, "render/backdrop.glsl", backdrops[i]))
             return false;
-    return true;
+    for (int i = 0; i < SEA_KINDS; i++)
+        if (!program_ready(gl, physical->seas + i, "render/sea.glsl", seas[i]))
+            return false;
+    return program_ready(gl, &physical->sea_places, "render/sea_places.glsl", "");
 }
 
 static bool prepare(void *state, const struct frame *frame)
@@ -63,11 +67,10 @@ static bool prepare(void *state, const struct frame *frame)
     bool ok = update_layers(physical, frame) && rings_ready(&physical->rings, gl, RINGS, RING_VERTICES) &&
               shadow_prepare(&physical->shadow, frame, physical) && solids_prepare(&physical->solids, gl) &&
               seabed_prepare(&physical->seabed, frame, &physical->world) && ambient_update(physical, frame) &&
-              shafts_prepare(&physical->shafts, frame, &physical->quality) &&
-              program_ready(gl, &physical->backdrop, "render/backdrop.glsl", "") &&
-              program_ready(gl, &physical->sea_places, "render/sea_places.glsl", "") && prepare_seas(physical, gl) &&
+              shafts_prepare(&physical->shafts, frame, &physical->quality) && prepare_programs(physical, gl) &&
               waves_update(&physical->waves, frame);
     if (ok) {
+        solids_find_dry(&physical->solids, frame, &physical->world, physical->waves.reach);
         timer_pass(frame->timer, "shadow");
         shadow_draw(&physical->shadow, frame, physical);
     }
@@ -90,9 +93,10 @@ static void draw_layer(const struct physical *physical, const struct frame *fram
 static void draw_backdrop(const struct physical *physical, const struct frame *frame)
 {
     struct dpl_gl *gl = frame->gl;
-    program_use(gl, &physical->backdrop);
-    physical_bind(physical, frame, &physical->backdrop);
-    physical_bind_layers(physical, frame, &physical->backdrop);
+    const struct gpu_program *program = physical->backdrops + physical->sight.pane;
+    program_use(gl, program);
+    physical_bind(physical, frame, program);
+    physical_bind_layers(physical, frame, program);
     gl->Enable(GL_DEPTH_TEST);
     gpu_draw_screen(gl);
     gl->Disable(GL_DEPTH_TEST);
@@ -102,7 +106,7 @@ static enum sea_kind sea_kind(const struct physical *physical)
 {
     if (physical->sight.side < 0)
         return physical->sight.pane ? SEA_PANE : SEA_BELOW;
-    return physical->world.high[1] > 0 ? SEA_MIRRORING : SEA_ABOVE;
+    return physical->solids.dry.high[1] > 0 ? SEA_MIRRORING : SEA_ABOVE;
 }
 
 static void draw_sea_places(const struct physical *physical, const struct frame *frame, int width, int height)
@@ -126,6 +130,8 @@ static void draw_sea(const struct physical *physical, const struct frame *frame)
     physical_bind(physical, frame, program);
     physical_bind_layers(physical, frame, program);
     program_int(gl, program, "look_ups", physical->quality.look_ups);
+    program_vec3(gl, program, "dry_low", physical->solids.dry.low);
+    program_vec3(gl, program, "dry_high", physical->solids.dry.high);
     texture_bind(gl, &physical->places.color, UNIT_SEA_PLACES);
     program_int(gl, program, "places", UNIT_SEA_PLACES);
     gl->Enable(GL_DEPTH_TEST);
@@ -207,7 +213,8 @@ static void finish(void *state, struct dpl_gl *gl)
     for (int i = 0; i < LAYERS; i++)
         layer_finish(gl, physical->layers + i);
     layer_finish(gl, &physical->places);
-    program_finish(gl, &physical->backdrop);
+    for (int i = 0; i < 2; i++)
+        program_finish(gl, physical->backdrops + i);
     program_finish(gl, &physical->sea_places);
     for (int i = 0; i < SEA_KINDS; i++)
         program_finish(gl, physical->seas + i);

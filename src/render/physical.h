@@ -92,6 +92,11 @@ struct solids {
         float low, high; /* m, of its vertices */
         float edge;      /* m, its longest */
     } * extents;         /* of each part */
+    struct dry_box {
+        uint64_t fingerprint; /* of the world */
+        double level;         /* m, below which nothing ever stands out of the water */
+        double low[3], high[3];
+    } dry;
 };
 
 enum seabed_kind { SEABED_SAND, SEABED_PATTERN, SEABED_KINDS };
@@ -142,8 +147,9 @@ struct physical {
     struct seabed seabed;
     struct shafts shafts;
     struct gpu_layer layers[LAYERS];
-    struct gpu_layer places; /* where the mesh that is drawn now is in the picture (places.glsl) */
-    struct gpu_program backdrop, sea_places, seas[SEA_KINDS];
+    struct gpu_layer places;         /* where the mesh that is drawn now is in the picture (places.glsl) */
+    struct gpu_program backdrops[2]; /* with no pane before the water, and with one */
+    struct gpu_program sea_places, seas[SEA_KINDS];
 
     /* Of this frame: */
     struct physical_light light;
@@ -181,6 +187,8 @@ bool solids_upload(struct solids *solids, struct dpl_gl *gl, const struct world 
 void solids_draw(const struct physical *physical, const struct frame *frame, enum physical_layer layer, bool wet);
 /* All parts that cast shadows from above the rest surface, or from below it, with the program in use. */
 void solids_cast(const struct solids *solids, struct dpl_gl *gl, const struct world *world, bool above);
+/* Finds the box around what may stand out of the water. */
+void solids_find_dry(struct solids *solids, const struct frame *frame, const struct world *world, double reach);
 void solids_finish(struct solids *solids, struct dpl_gl *gl);
 
 bool seabed_prepare(struct seabed *seabed, const struct frame *frame, const struct world *world);

@@ -15,6 +15,7 @@
 #include "render/shafts_read.glsl"
 uniform sampler2D direct_depth, through_color, through_depth, mirror_color, mirror_depth;
 uniform int look_ups;         /* times that a layer is asked where a ray goes */
+uniform vec3 dry_low, dry_high; /* m, of the box around what stands out of the water */
 uniform float tile_floor;     /* m, y of the floor */
 uniform vec3 floor_radiance;  /* of the floor where it is not in the picture */
 uniform sampler2D places;     /* where a pixel shows the surface, and its depth (sea_places.glsl); all 0: nowhere */
@@ -50,6 +51,15 @@ vec4 layer_color(sampler2D colors, sampler2D depths, int layer, vec3 ray, out fl
         /* what leaves the picture comes in again, mirrored: that has no edge */
         place = next == vec2(-1.0) ? place : clamp(1.0 - abs(1.0 - abs(next)), 0.0, 1.0);
     }
+}
+
+/* True where a ray from the surface comes through the box around all that stands out of the water. */
+bool meets_dry(vec3 ray)
+{
+    vec3 to_low = (dry_low - position) / ray, to_high = (dry_high - position) / ray;
+    vec3 enters = min(to_low, to_high), leaves = max(to_low, to_high);
+    float last = min(min(leaves.x, leaves.y), leaves.z);
+    return last > 0.0 && last > max(max(enters.x, enters.y), enters.z);
 }
 
 /* The normal that a rough surface seems to have, where a pixel holds many slopes: those that face the eye are seen
@@ -94,16 +104,16 @@ vec3 thrown_and_let(vec3 to_eye, vec3 normal, vec3 slope)
     vec3 back = optics_reflect(to_eye, seen);
     back = normalize(vec3(back.x, abs(back.y) + 1e-3, back.z));
     float share = optics_fresnel_reflectance(clamp(dot(to_eye, seen), 0.0, 1.0), ior);
-#ifdef MIRRORED
-    vec4 mirrored = layer_color(mirror_color, mirror_depth, LAYER_MIRROR, back, way);
-#else
     vec4 mirrored = vec4(0.0);
+#ifdef MIRRORED
+    int met = meets_dry(back) ? 1 : 0; /* a loop of no turns costs nothing where a device goes both ways of a condition */
+    for (int i = 0; i < met; i++)
+        mirrored = layer_color(mirror_color, mirror_depth, LAYER_MIRROR, back, way);
 #endif
     vec3 thrown = mirrored.rgb + (1.0 - mirrored.a) * sky_radiance(back, 2.0 * roughness);
     vec4 below = layer_color(through_color, through_depth, LAYER_THROUGH, into, way);
     vec3 let = seen_below(below, into, way);
     vec3 sparkle = glint(to_eye, slope.xy, slope.z);
-    /* a loop of no turns costs nothing where a device goes both ways of every condition */
     int bright = max(max(sparkle.r, sparkle.g), sparkle.b) > 1e-4 ? 1 : 0;
     for (int i = 0; i < bright; i++)
         sparkle *= shadow_light(position, vec3(0.0), to_sun, true);

@@ -91,6 +91,17 @@ bool solids_upload(struct solids *solids, struct dpl_gl *gl, const struct world 
     return true;
 }
 
+void solids_find_dry(struct solids *solids, const struct frame *frame, const struct world *world, double reach)
+{
+    const double step = 0.25; /* m; a box too large does no harm */
+    double level = -step * ceil(reach / step);
+    if (solids->dry.fingerprint == world->fingerprint && solids->dry.level == level)
+        return;
+    solids->dry.fingerprint = world->fingerprint;
+    solids->dry.level = level;
+    world_box(world, frame->scene->current.strength, level, solids->dry.low, solids->dry.high);
+}
+
 static void draw_part(struct dpl_gl *gl, const struct world_part *part)
 {
     gl->DrawElements(GL_TRIANGLES, part->count, GL_UNSIGNED_INT,

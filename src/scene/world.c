@@ -26,19 +26,28 @@ static uint64_t fingerprint_of(const struct dpl_scene *scene)
     return value ? value : 1; /* 0: no world yet */
 }
 
-/* The box around all vertices, and around the ways that they may go. */
-static void measure(struct world *world, double strength)
+static float highest_corner(const struct world *world, const unsigned *corners)
+{
+    float y = world->vertices[corners[0]].position[1];
+    for (int k = 1; k < 3; k++)
+        y = fmaxf(y, world->vertices[corners[k]].position[1]);
+    return y;
+}
+
+void world_box(const struct world *world, double strength, double level, double low[3], double high[3])
 {
     for (int c = 0; c < 3; c++) {
-        world->low[c] = INFINITY;
-        world->high[c] = -INFINITY;
+        low[c] = INFINITY;
+        high[c] = -INFINITY;
     }
-    for (int v = 0; v < world->vertex_count; v++) {
-        const struct world_vertex *vertex = world->vertices + v;
+    for (int i = 0; i < world->index_count; i++) {
+        if ((double)highest_corner(world, world->indices + i - i % 3) < level)
+            continue;
+        const struct world_vertex *vertex = world->vertices + world->indices[i];
         double reach = strength * (double)vertex->sway;
         for (int c = 0; c < 3; c++) {
-            world->low[c] = fmin(world->low[c], (double)vertex->position[c] - reach);
-            world->high[c] = fmax(world->high[c], (double)vertex->position[c] + reach);
+            low[c] = fmin(low[c], (double)vertex->position[c] - reach);
+            high[c] = fmax(high[c], (double)vertex->position[c] + reach);
         }
     }
 }
@@ -58,7 +67,7 @@ static bool build_objects(struct world *world, const struct dpl_scene *scene, co
     world->vertex_count = builder.vertex_count;
     world->index_count = builder.index_count;
     world->part_count = builder.part_count;
-    measure(world, scene->current.strength);
+    world_box(world, scene->current.strength, -INFINITY, world->low, world->high);
     return true;
 }
 

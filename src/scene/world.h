@@ -40,7 +40,7 @@ struct world {
     unsigned *indices; /* three a triangle, counter-clockwise seen from outside */
     struct world_part *parts;
     int vertex_count, index_count, part_count;
-    double low[3], high[3]; /* m, around all vertices with the way that they may sway; low > high: there are none */
+    double low[3], high[3]; /* world_box() of all of it */
 
     int relief_side;      /* vertices of the floor a side of the tile, periodic; 0: flat */
     float *relief;        /* relief_side²: m above the flat floor; row 0 is the smallest z */
@@ -51,6 +51,10 @@ struct world {
  * used; then the world stays as it was. */
 bool world_build(struct world *world, const struct dpl_scene *scene, const struct dpl_log *log);
 void world_finish(struct world *world);
+
+/* The box around all triangles that come above a level, m, and around the ways that a current of that strength may
+ * carry them; low > high: there are none. */
+void world_box(const struct world *world, double strength, double level, double low[3], double high[3]);
 
 /* Where the water has carried a vertex at that time, m from its place at rest. */
 void world_sway(const struct dpl_scene *scene, const struct world_vertex *vertex, double time, float moved[3]);
