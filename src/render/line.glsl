@@ -12,8 +12,5 @@ float line_height(vec2 place)
 /* On which side of the water the lens is there: 1 above, -1 below. */
 float line_side(vec2 place)
 {
-    float found = side;
-    for (int i = 0; i < line_there; i++) /* no turn, no cost, where a device goes both ways of a condition */
-        found = line_height(place) < 0.0 ? -1.0 : 1.0;
-    return found;
+    return line_there == 0 ? side : line_height(place) < 0.0 ? -1.0 : 1.0;
 }

@@ -34,22 +34,22 @@ static bool update_layers(struct physical *physical, const struct frame *frame)
         if (!layer_resize(frame->gl, physical->layers + i, GL_RGBA16F, width, height))
             return false;
     }
-    return layer_resize(frame->gl, &physical->places, GL_RGBA32F, frame->view.columns, frame->view.rows);
+    return layer_resize(frame->gl, &physical->mesh, 0, frame->view.columns, frame->view.rows);
 }
 
 static bool prepare_programs(struct physical *physical, struct dpl_gl *gl)
 {
-    static const char *const backdrops[2] = {"#define PANE 0\n", "#define PANE 1\n"};
-    static const char *const seas[SEA_KINDS] = {"#define PANE 0\n#define ABOVE\n",
-                                                "#define PANE 0\n#define ABOVE\n#define MIRRORED\n", "#define PANE 0\n",
-                                                "#define PANE 1\n"};
+    static const char *const backdrops[2] = {"#define NO_PANE\n", "#define PANE\n"};
+    static const char *const seas[SEA_KINDS] = {"#define NO_PANE\n#define ABOVE\n",
+                                                "#define NO_PANE\n#define ABOVE\n#define MIRRORED\n",
+                                                "#define NO_PANE\n", "#define PANE\n"};
     for (int i = 0; i < 2; i++)
         if (!program_ready(gl, physical->backdrops + i, "render/backdrop.glsl", backdrops[i]))
             return false;
     for (int i = 0; i < SEA_KINDS; i++)
         if (!program_ready(gl, physical->seas + i, "render/sea.glsl", seas[i]))
             return false;
-    return program_ready(gl, &physical->sea_places, "render/sea_places.glsl", "");
+    return program_ready(gl, &physical->sea_mesh, "render/sea_mesh.glsl", "");
 }
 
 static bool prepare(void *state, const struct frame *frame)
@@ -109,11 +109,11 @@ static enum sea_kind sea_kind(const struct physical *physical)
     return physical->solids.dry.high[1] > 0 ? SEA_MIRRORING : SEA_ABOVE;
 }
 
-static void draw_sea_places(const struct physical *physical, const struct frame *frame, int width, int height)
+static void draw_sea_mesh(const struct physical *physical, const struct frame *frame, int width, int height)
 {
     struct dpl_gl *gl = frame->gl;
-    const struct gpu_program *program = &physical->sea_places;
-    physical_begin_places(physical, gl, width, height);
+    const struct gpu_program *program = &physical->sea_mesh;
+    physical_begin_mesh(physical, gl, width, height);
     program_use(gl, program);
     physical_bind(physical, frame, program);
     gl->Enable(GL_DEPTH_TEST);
@@ -121,7 +121,7 @@ static void draw_sea_places(const struct physical *physical, const struct frame 
     gl->Disable(GL_DEPTH_TEST);
 }
 
-/* The surface where its places say, into what is drawn to. */
+/* The surface where its mesh is seen, into what is drawn to. */
 static void draw_sea(const struct physical *physical, const struct frame *frame)
 {
     struct dpl_gl *gl = frame->gl;
@@ -132,8 +132,8 @@ static void draw_sea(const struct physical *physical, const struct frame *frame)
     program_int(gl, program, "look_ups", physical->quality.look_ups);
     program_vec3(gl, program, "dry_low", physical->solids.dry.low);
     program_vec3(gl, program, "dry_high", physical->solids.dry.high);
-    texture_bind(gl, &physical->places.color, UNIT_SEA_PLACES);
-    program_int(gl, program, "places", UNIT_SEA_PLACES);
+    texture_bind(gl, &physical->mesh.depth, UNIT_SEA_DEPTH);
+    program_int(gl, program, "mesh_depth", UNIT_SEA_DEPTH);
     gl->Enable(GL_DEPTH_TEST);
     gpu_draw_screen(gl);
     gl->Disable(GL_DEPTH_TEST);
@@ -143,7 +143,7 @@ static void draw_sea(const struct physical *physical, const struct frame *frame)
 static void draw_sea_behind_pane(const struct physical *physical, const struct frame *frame)
 {
     const struct gpu_layer *through = physical->layers + LAYER_THROUGH;
-    draw_sea_places(physical, frame, through->depth.width, through->depth.height);
+    draw_sea_mesh(physical, frame, through->depth.width, through->depth.height);
     layer_resume(frame->gl, through);
     draw_sea(physical, frame);
 }
@@ -174,7 +174,7 @@ static void draw_sight(struct physical *physical, const struct frame *frame)
     }
     timer_pass(frame->timer, "sea");
     if (!physical->sight.pane)
-        draw_sea_places(physical, frame, frame->view.columns, frame->view.rows);
+        draw_sea_mesh(physical, frame, frame->view.columns, frame->view.rows);
     gl->BindFramebuffer(GL_FRAMEBUFFER, frame->target->framebuffer);
     gl->Viewport(0, 0, frame->view.columns, frame->view.rows);
     gl->Enable(GL_SCISSOR_TEST);
@@ -212,10 +212,10 @@ static void finish(void *state, struct dpl_gl *gl)
     shafts_finish(&physical->shafts, gl);
     for (int i = 0; i < LAYERS; i++)
         layer_finish(gl, physical->layers + i);
-    layer_finish(gl, &physical->places);
+    layer_finish(gl, &physical->mesh);
     for (int i = 0; i < 2; i++)
         program_finish(gl, physical->backdrops + i);
-    program_finish(gl, &physical->sea_places);
+    program_finish(gl, &physical->sea_mesh);
     for (int i = 0; i < SEA_KINDS; i++)
         program_finish(gl, physical->seas + i);
 }

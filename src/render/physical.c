@@ -170,9 +170,9 @@ void physical_bind(const struct physical *physical, const struct frame *frame, c
     waves_bind(&physical->waves, frame, program, UNIT_WAVES);
 }
 
-void physical_begin_places(const struct physical *physical, struct dpl_gl *gl, int width, int height)
+void physical_begin_mesh(const struct physical *physical, struct dpl_gl *gl, int width, int height)
 {
-    layer_begin(gl, &physical->places);
+    layer_begin(gl, &physical->mesh);
     gl->Viewport(0, 0, width, height);
 }
 

@@ -10,8 +10,8 @@
  *     sea       the surface, which looks into the other two layers
  *     backdrop  where it is not: what is seen straight, and the sky or the open water behind
  *
- * Floor and surface are meshes of many small triangles. Where a pixel shows them is drawn first (places.glsl); what is
- * seen there is then computed once for each pixel, however many triangles share it. */
+ * Floor and surface are meshes of many small triangles. Their depth is drawn first, alone; what is seen there is then
+ * computed once for each pixel, however many triangles share it. */
 #ifndef RENDER_PHYSICAL_H
 #define RENDER_PHYSICAL_H
 
@@ -41,7 +41,7 @@ enum physical_unit {
     UNIT_SAND,
     UNIT_AMBIENT,
     UNIT_NOISE = UNIT_AMBIENT,
-    UNIT_SEA_PLACES = UNIT_AMBIENT,
+    UNIT_SEA_DEPTH = UNIT_AMBIENT,
     UNIT_DIRECT_COLOR,
     UNIT_DIRECT_DEPTH,
     UNIT_THROUGH_COLOR,
@@ -49,7 +49,7 @@ enum physical_unit {
     UNIT_MIRROR_COLOR,
     UNIT_MIRROR_DEPTH,
     UNIT_SHAFTS,
-    UNIT_SEABED_PLACES = UNIT_SHAFTS,
+    UNIT_SEABED_DEPTH = UNIT_SHAFTS,
     UNIT_SHADOW_THROWN,
 };
 
@@ -102,7 +102,7 @@ struct solids {
 enum seabed_kind { SEABED_SAND, SEABED_PATTERN, SEABED_KINDS };
 
 struct seabed {
-    struct gpu_program places, programs[SEABED_KINDS];
+    struct gpu_program mesh, programs[SEABED_KINDS];
     struct gpu_texture relief, ambient;
     double ambient_square[3]; /* m: least x and z, side */
     uint64_t fingerprint;
@@ -147,9 +147,9 @@ struct physical {
     struct seabed seabed;
     struct shafts shafts;
     struct gpu_layer layers[LAYERS];
-    struct gpu_layer places;         /* where the mesh that is drawn now is in the picture (places.glsl) */
+    struct gpu_layer mesh;           /* depth of the mesh that is drawn now: of the floor, or of the surface */
     struct gpu_program backdrops[2]; /* with no pane before the water, and with one */
-    struct gpu_program sea_places, seas[SEA_KINDS];
+    struct gpu_program sea_mesh, seas[SEA_KINDS];
 
     /* Of this frame: */
     struct physical_light light;
@@ -168,8 +168,8 @@ void physical_bind_cast(const struct physical *physical, const struct frame *fra
 void physical_bind_layers(const struct physical *physical, const struct frame *frame,
                           const struct gpu_program *program);
 
-/* Begins to draw, with a program of places.glsl, where a mesh is in a picture of that size. */
-void physical_begin_places(const struct physical *physical, struct dpl_gl *gl, int width, int height);
+/* Begins to draw the depth of a mesh in a picture of that size. */
+void physical_begin_mesh(const struct physical *physical, struct dpl_gl *gl, int width, int height);
 
 /* The light of the scene, from its sky. */
 struct physical_light physical_light(const struct optics_sky *sky, const struct frame *frame);

@@ -18,10 +18,11 @@ uniform int look_ups;         /* times that a layer is asked where a ray goes */
 uniform vec3 dry_low, dry_high; /* m, of the box around what stands out of the water */
 uniform float tile_floor;     /* m, y of the floor */
 uniform vec3 floor_radiance;  /* of the floor where it is not in the picture */
-uniform sampler2D places;     /* where a pixel shows the surface, and its depth (sea_places.glsl); all 0: nowhere */
+uniform sampler2D mesh_depth; /* at which a pixel shows the surface (sea_mesh.glsl); 1: nowhere */
 vec3 position;                /* on the surface */
 out vec4 color;
 
+const float HORIZON = 0.9999985; /* depth: what is farther has that of sea_mesh.glsl */
 const float DEPTHS_EXACT = 100.0; /* m: beyond, they tell the floor from the surface no more */
 
 /* The water's slope where the pixel is: the mean, and the variance of what is finer than the pixel. */
@@ -129,7 +130,7 @@ vec3 thrown_and_let(vec3 to_eye, vec3 normal, vec3 slope)
     back.y = -abs(back.y);
     vec4 mirrored = layer_color(mirror_color, mirror_depth, LAYER_MIRROR, back, way);
     vec3 thrown = seen_below(mirrored, back, way);
-#if PANE
+#ifdef PANE
     vec4 above = vec4(0.0); /* the layer is that of the pane */
 #else
     vec4 above = layer_color(through_color, through_depth, LAYER_THROUGH, out_of, way);
@@ -140,27 +141,26 @@ vec3 thrown_and_let(vec3 to_eye, vec3 normal, vec3 slope)
 }
 #endif
 
-/* From where sight comes to the surface: the eye, or the pane. */
-vec3 sight_origin()
+/* Where a sight meets the surface that is seen at that depth. */
+vec3 surface_at(vec3 ray, float depth)
 {
-#if PANE
-    vec3 ray = view_ray(target);
-    return eye + ray * view_plane(ray);
-#else
-    return eye;
-#endif
+    if (depth > HORIZON)
+        return eye + ray * min(view_plane(ray), 4.0 * planes.y);
+    return view_point(ray, depth, pane != 0 ? LAYER_THROUGH : LAYER_DIRECT);
 }
 
 void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec4 place = texelFetch(places, pixel, 0);
-    bool hidden = place.w == 0.0 || (pane == 0 && texelFetch(direct_depth, pixel, 0).r < place.w);
-    position = place.xyz;
+    float depth = texelFetch(mesh_depth, pixel, 0).r;
+    vec3 ray = view_ray(target);
+    bool hidden = depth == 1.0 || (pane == 0 && texelFetch(direct_depth, pixel, 0).r < depth);
+    position = surface_at(ray, depth);
     if (!waves_cover(position.xz) || hidden || line_side(target) != side)
         discard;
-    gl_FragDepth = place.w;
-    vec3 slope = slope_here(), origin = sight_origin(), sight = position - origin, to_eye = -normalize(sight);
+    gl_FragDepth = depth;
+    vec3 origin = pane != 0 ? eye + ray * view_plane(ray) : eye; /* from where sight comes to the surface */
+    vec3 slope = slope_here(), sight = position - origin, to_eye = -normalize(sight);
     vec3 normal = normalize(vec3(-slope.x, 1.0, -slope.y));
     /* Waves that turn away from the eye are seen at a grazing angle at most. */
     float facing = side * dot(normal, to_eye);
@@ -168,7 +168,7 @@ void main()
         normal = normalize(normal + side * (0.02 - facing) * to_eye);
     float way = length(sight);
     vec3 radiance = thrown_and_let(to_eye, normal, slope);
-#if !defined ABOVE && !PANE
+#if !defined ABOVE && !defined PANE
     radiance = shafts_sight(radiance, eye, -to_eye, way, target);
 #endif
     color = vec4(radiance, 1.0);

@@ -36,7 +36,7 @@ bool seabed_prepare(struct seabed *seabed, const struct frame *frame, const stru
 {
     static const char *const defines[SEABED_KINDS] = {"#define WET\n#define ON_FLOOR\n",
                                                       "#define WET\n#define ON_FLOOR\n#define PATTERN\n"};
-    if (!program_ready(frame->gl, &seabed->places, "render/seabed_places.glsl", ""))
+    if (!program_ready(frame->gl, &seabed->mesh, "render/seabed_mesh.glsl", ""))
         return false;
     for (int i = 0; i < SEABED_KINDS; i++)
         if (!program_ready(frame->gl, seabed->programs + i, "render/seabed.glsl", defines[i]))
@@ -47,12 +47,12 @@ bool seabed_prepare(struct seabed *seabed, const struct frame *frame, const stru
     return upload_relief(seabed, frame, world);
 }
 
-static void draw_places(const struct physical *physical, const struct frame *frame, enum physical_layer layer)
+static void draw_mesh(const struct physical *physical, const struct frame *frame, enum physical_layer layer)
 {
     struct dpl_gl *gl = frame->gl;
-    const struct gpu_program *program = &physical->seabed.places;
+    const struct gpu_program *program = &physical->seabed.mesh;
     double height = frame->camera->position[1] + frame->scene->settings.depth;
-    physical_begin_places(physical, gl, physical->layers[layer].depth.width, physical->layers[layer].depth.height);
+    physical_begin_mesh(physical, gl, physical->layers[layer].depth.width, physical->layers[layer].depth.height);
     program_use(gl, program);
     physical_bind(physical, frame, program);
     program_int(gl, program, "layer", (int)layer);
@@ -66,22 +66,23 @@ void seabed_draw(const struct physical *physical, const struct frame *frame, enu
     const struct dpl_scene *scene = frame->scene;
     enum seabed_kind kind = scene->floor.pattern == WORLD_PLAIN ? SEABED_SAND : SEABED_PATTERN;
     const struct gpu_program *program = physical->seabed.programs + kind;
-    draw_places(physical, frame, layer);
+    draw_mesh(physical, frame, layer);
     layer_resume(gl, physical->layers + layer);
     program_use(gl, program);
     physical_bind(physical, frame, program);
+    program_int(gl, program, "layer", (int)layer);
     program_int(gl, program, "pattern", scene->floor.pattern);
     program_float(gl, program, "pattern_size", scene->floor.pattern_size);
     program_vec3(gl, program, "pattern_joint", scene->floor.joint);
     program_vec3(gl, program, "floor_color", scene->floor.color);
-    texture_bind(gl, &physical->places.color, UNIT_SEABED_PLACES);
-    program_int(gl, program, "places", UNIT_SEABED_PLACES);
+    texture_bind(gl, &physical->mesh.depth, UNIT_SEABED_DEPTH);
+    program_int(gl, program, "mesh_depth", UNIT_SEABED_DEPTH);
     gpu_draw_screen(gl);
 }
 
 void seabed_finish(struct seabed *seabed, struct dpl_gl *gl)
 {
-    program_finish(gl, &seabed->places);
+    program_finish(gl, &seabed->mesh);
     for (int i = 0; i < SEABED_KINDS; i++)
         program_finish(gl, seabed->programs + i);
     texture_finish(gl, &seabed->relief);

@@ -13,16 +13,17 @@ uniform vec3 ambient_square;     /* m: the least x and z, and the side, that it 
 uniform int pattern;            /* scene/pattern.glsl; plain: sand */
 uniform float pattern_size;
 uniform vec3 pattern_joint, floor_color;
-uniform sampler2D places; /* where a pixel shows the floor, and its depth (seabed_places.glsl); all 0: nowhere */
+uniform int layer;
+uniform sampler2D mesh_depth; /* at which a pixel shows the floor (seabed_mesh.glsl); 1: nowhere */
 out vec4 color;
 
 void main()
 {
-    vec4 seen = texelFetch(places, ivec2(gl_FragCoord.xy), 0);
-    vec3 position = seen.xyz;
-    if (seen.w == 0.0 || !waves_cover(position.xz) || layer_leaves_out(position))
+    float depth = texelFetch(mesh_depth, ivec2(gl_FragCoord.xy), 0).r;
+    vec3 position = view_point(view_ray(target), depth, layer);
+    if (depth == 1.0 || !waves_cover(position.xz) || layer_leaves_out(position))
         discard;
-    gl_FragDepth = seen.w;
+    gl_FragDepth = depth;
     vec2 place = position.xz / relief_size + 0.5;
     vec2 slopes = texture(relief_texels, place).yz;
     vec3 normal = normalize(vec3(-slopes.x, 1.0, -slopes.y));

@@ -16,8 +16,10 @@ uniform vec4 plane;       /* unit normal towards the eye, and the plane's distan
 uniform float plane_index; /* refractive index beyond the plane to that before it */
 /* 1: the plane is a pane; what is mirrored in the rest surface is seen through it, too. A shader that is made for one
  * kind of sight knows it, which spares devices that go both ways of a condition. */
-#ifdef PANE
-const int pane = PANE;
+#if defined PANE
+const int pane = 1;
+#elif defined NO_PANE
+const int pane = 0;
 #else
 uniform int pane;
 #endif
