@@ -107,16 +107,14 @@ vec3 thrown_and_let(vec3 to_eye, vec3 normal, vec3 slope)
     float share = optics_fresnel_reflectance(clamp(dot(to_eye, seen), 0.0, 1.0), ior);
     vec4 mirrored = vec4(0.0);
 #ifdef MIRRORED
-    int met = meets_dry(back) ? 1 : 0; /* a loop of no turns costs nothing where a device goes both ways of a condition */
-    for (int i = 0; i < met; i++)
+    if (meets_dry(back))
         mirrored = layer_color(mirror_color, mirror_depth, LAYER_MIRROR, back, way);
 #endif
     vec3 thrown = mirrored.rgb + (1.0 - mirrored.a) * sky_radiance(back, 2.0 * roughness);
     vec4 below = layer_color(through_color, through_depth, LAYER_THROUGH, into, way);
     vec3 let = seen_below(below, into, way);
     vec3 sparkle = glint(to_eye, slope.xy, slope.z);
-    int bright = max(max(sparkle.r, sparkle.g), sparkle.b) > 1e-4 ? 1 : 0;
-    for (int i = 0; i < bright; i++)
+    if (max(max(sparkle.r, sparkle.g), sparkle.b) > 1e-4)
         sparkle *= shadow_light(position, vec3(0.0), to_sun, true);
     return share * thrown + (1.0 - share) / (ior * ior) * let + sparkle;
 }

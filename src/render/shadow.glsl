@@ -48,8 +48,7 @@ vec2 shadow_rise(vec3 normal, vec2 slant)
 }
 
 /* The share of the sun that a point sees; 1 where that is not `asked`. Points around its light's place, on a spiral of
- * equal areas (Vogel 1979), ask first how high what stands in the way is, then how much of the light it covers. A loop
- * of no turns costs nothing where a device goes both ways of every condition. */
+ * equal areas (Vogel 1979), ask first how high what stands in the way is, then how much of the light it covers. */
 float shadow_light(vec3 point, vec3 normal, vec3 to_sun, bool asked)
 {
     float texel = max(shadow_square.z, shadow_square.w) / float(textureSize(shadow_heights, 0).x);

@@ -59,7 +59,6 @@ void waves_bind(const struct waves *waves, const struct frame *frame, const stru
     program_float(gl, program, "waves_extent", waves_extent(frame));
     program_float(gl, program, "waves_wall",
                   waves_extent(frame) + (frame->scene->settings.edge == SCENE_EDGE_GLASS ? -WALL : WALL));
-    program_float(gl, program, "waves_reach", waves->reach);
     program_float(gl, program, "waves_roughness", frame->scene->medium.roughness * frame->scene->medium.roughness);
 }
 

@@ -2,7 +2,6 @@
 uniform sampler2D waves_texels;
 uniform float waves_size, waves_spacing; /* m, of the tile and from vertex to vertex */
 uniform float waves_extent;              /* m, half a side of the water that there is; 0: it has no end */
-uniform float waves_reach;               /* m that the surface stands above or below its rest, at most */
 uniform float waves_wall; /* m, half a side of what the water wets: walls around it, not the frame of a tank */
 uniform float waves_roughness;           /* variance of the slopes too fine for the grid */
 
@@ -24,9 +23,6 @@ bool waves_cover(vec2 xz)
 /* True where a point is in the water, by that many metres out of it, or into it where they are less than 0. */
 bool waves_wet(vec3 point, float slack)
 {
-    bool inside = waves_extent == 0.0 || max(abs(point.x), abs(point.z)) < waves_wall, wet = point.y < 0.0;
-    int asked = abs(point.y) < waves_reach + abs(slack) ? 1 : 0; /* times that the surface has to be looked up */
-    for (int i = 0; i < asked; i++)
-        wet = point.y < waves_height(point.xz, 0.0) + slack;
-    return inside && wet;
+    bool inside = waves_extent == 0.0 || max(abs(point.x), abs(point.z)) < waves_wall;
+    return inside && point.y < waves_height(point.xz, 0.0) + slack;
 }
