@@ -185,8 +185,9 @@ bool solids_prepare(struct solids *solids, struct dpl_gl *gl);
 bool solids_upload(struct solids *solids, struct dpl_gl *gl, const struct world *world, const float *ambient);
 /* Draws what is in the water (wet), or what is not, into a layer. */
 void solids_draw(const struct physical *physical, const struct frame *frame, enum physical_layer layer, bool wet);
-/* All parts that cast shadows from above the rest surface, or from below it, with the program in use. */
-void solids_cast(const struct solids *solids, struct dpl_gl *gl, const struct world *world, bool above);
+/* All parts that cast shadows from above the rest surface, or from below it, with that program, which is in use. */
+void solids_cast(const struct solids *solids, struct dpl_gl *gl, const struct world *world,
+                 const struct gpu_program *program, bool above);
 /* Finds the box around what may stand out of the water. */
 void solids_find_dry(struct solids *solids, const struct frame *frame, const struct world *world, double reach);
 void solids_finish(struct solids *solids, struct dpl_gl *gl);

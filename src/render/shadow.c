@@ -66,7 +66,7 @@ static void cast(const struct shadow *shadow, const struct frame *frame, const s
     program_vec2(gl, &shadow->cast, "slant", way[0] / way[1], way[2] / way[1]);
     program_float(gl, &shadow->cast, "above", above ? 1 : -1);
     program_int(gl, &shadow->cast, "thrown", thrown);
-    solids_cast(&physical->solids, gl, &physical->world, above);
+    solids_cast(&physical->solids, gl, &physical->world, &shadow->cast, above);
 }
 
 void shadow_draw(struct shadow *shadow, const struct frame *frame, const struct physical *physical)

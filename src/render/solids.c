@@ -135,13 +135,16 @@ void solids_draw(const struct physical *physical, const struct frame *frame, enu
     }
 }
 
-void solids_cast(const struct solids *solids, struct dpl_gl *gl, const struct world *world, bool above)
+void solids_cast(const struct solids *solids, struct dpl_gl *gl, const struct world *world,
+                 const struct gpu_program *program, bool above)
 {
     gl->BindVertexArray(solids->array);
     for (int i = 0; i < world->part_count; i++) {
         const struct part_extent *extent = solids->extents + i;
-        if (world->parts[i].casts && (above ? extent->high > 0 : extent->low < 0))
-            draw_part(gl, world->parts + i);
+        if (!world->parts[i].casts || (above ? extent->high <= 0 : extent->low >= 0))
+            continue;
+        program_float(gl, program, "cut", extent->edge);
+        draw_part(gl, world->parts + i);
     }
 }
 
