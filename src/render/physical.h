@@ -51,7 +51,9 @@ enum physical_unit {
     UNIT_SHAFTS,
     UNIT_SEABED_DEPTH = UNIT_SHAFTS,
     UNIT_SHADOW_THROWN,
+    PHYSICAL_UNITS,
 };
+_Static_assert(PHYSICAL_UNITS <= GPU_TEXTURE_UNITS, "a unit for each");
 
 /* The light of the scene in numbers; what render/volume.glsl and render/receiver.glsl get. */
 struct physical_light {

@@ -33,6 +33,14 @@ float shadow_height(vec2 place)
     return shadow_span.x + shadow_span.y * (1.0 - textureLod(shadow_heights, place, 0.0).r);
 }
 
+/* The i-th of `count` points of a disc of radius 1, on a spiral of equal areas (Vogel 1979); turns `direction` on. */
+vec2 shadow_spiral(inout vec2 direction, int i, int count)
+{
+    vec2 place = direction * sqrt((float(i) + 0.5) / float(count));
+    direction = SHADOW_TURN * direction;
+    return place;
+}
+
 /* How far around a place the light of a point is spread that something `above` m higher may stand in. */
 float shadow_radius(vec3 point, float above)
 {
@@ -47,8 +55,8 @@ vec2 shadow_rise(vec3 normal, vec2 slant)
     return -normal.xz / max(facing, 0.15);
 }
 
-/* The share of the sun that a point sees; 1 where that is not `asked`. Points around its light's place, on a spiral of
- * equal areas (Vogel 1979), ask first how high what stands in the way is, then how much of the light it covers. */
+/* The share of the sun that a point sees; 1 where that is not `asked`. Points around its light's place ask first
+ * how high what stands in the way is, then how much of the light it covers. */
 float shadow_light(vec3 point, vec3 normal, vec3 to_sun, bool asked)
 {
     float texel = max(shadow_square.z, shadow_square.w) / float(textureSize(shadow_heights, 0).x);
@@ -65,21 +73,19 @@ float shadow_light(vec3 point, vec3 normal, vec3 to_sun, bool asked)
     vec2 first = vec2(cos(angle), sin(angle)), direction = first;
     int count = inside ? 4 : 0;
     for (int i = 0; i < count; i++) {
-        vec2 away = direction * sqrt((float(i) + 0.5) / 4.0) * radius;
+        vec2 away = radius * shadow_spiral(direction, i, 4);
         float height = shadow_height(place + away / shadow_square.zw);
         float hidden = step(bias + dot(rise, away), height);
         covered += hidden;
         heights += hidden * height;
-        direction = SHADOW_TURN * direction;
     }
     count = covered > 0.0 ? shadow_taps : 0;
     radius = max(shadow_radius(point, heights / max(covered, 1.0) - point.y), texel);
     direction = first;
     covered = 0.0;
     for (int i = 0; i < count; i++) {
-        vec2 away = direction * sqrt((float(i) + 0.5) / float(shadow_taps)) * radius;
+        vec2 away = radius * shadow_spiral(direction, i, shadow_taps);
         covered += step(bias + dot(rise, away), shadow_height(place + away / shadow_square.zw));
-        direction = SHADOW_TURN * direction;
     }
     return 1.0 - covered / float(shadow_taps);
 }
@@ -96,10 +102,9 @@ float shadow_thrown(vec3 point, vec2 origin, bool asked)
     vec2 direction = vec2(cos(angle), sin(angle));
     int count = inside ? shadow_taps : 0;
     for (int i = 0; i < count; i++) {
-        vec2 away = direction * sqrt((float(i) + 0.5) / float(shadow_taps)) * radius;
+        vec2 away = radius * shadow_spiral(direction, i, shadow_taps);
         float height = textureLod(shadow_thrown_heights, place + away / shadow_thrown_square.zw, 0.0).r;
         covered += step(shadow_span.x + shadow_span.y * height, bias);
-        direction = SHADOW_TURN * direction;
     }
     return 1.0 - covered / float(shadow_taps);
 }
