@@ -7,6 +7,8 @@
 #define WIDTH 120
 #define HEIGHT 80
 #define LEAST 3e-4 /* by which pixels differ that show a thing */
+#define TANK "[scene]\nsize = 1\ndepth = 0.6\nedge = glass\n[floor]\ncolor = 0 0 0\n" /* 1 m wide */
+#define AROUND 3 /* degrees: what is farther off is another image of it */
 
 /* The picture with an object `marker` of that shape, size and place, and without it. */
 struct pair {
@@ -34,11 +36,32 @@ static void finish_pair(struct pair *pair)
     dpl_image_destroy(pair->without);
 }
 
+/* Where they differ, but not far from a direction. */
+static struct physical_spot spot_near(const struct dpl_scene *scene, const struct pair *pair, const double direction[3])
+{
+    struct physical_spot spot = {0, 0, 0};
+    for (int row = 0; row < HEIGHT; row++) {
+        for (int column = 0; column < WIDTH; column++) {
+            double ray[3],
+                change = physical_pixel(pair->with, column, row, 1) - physical_pixel(pair->without, column, row, 1);
+            physical_ray(scene, pair->with, column + 0.5, row + 0.5, ray);
+            if (fabs(change) <= LEAST || physical_angle(ray, direction) > AROUND)
+                continue;
+            spot.count++;
+            spot.x += column + 0.5;
+            spot.y += row + 0.5;
+        }
+    }
+    spot.x /= spot.count;
+    spot.y /= spot.count;
+    return spot;
+}
+
 /* Fails unless the pictures differ around where `expected` is seen, within `most` degrees. */
 static void expect_seen(const char *what, const struct dpl_scene *scene, const struct pair *pair,
                         const double expected[3], double most)
 {
-    struct physical_spot spot = physical_difference(pair->with, pair->without, LEAST);
+    struct physical_spot spot = spot_near(scene, pair, expected);
     double found[3];
     if (spot.count < 8)
         fail_msg("%s: not seen, %d pixels", what, spot.count);
@@ -184,30 +207,53 @@ static void check_line(struct physical_fixture *fixture)
     dpl_scene_destroy(scene);
 }
 
-/* A ball in a tank of 1 m, from outside it: through the pane that faces the eye, as through any plane. */
+/* The direction in which an eye outside a tank of 1 m sees a place in it, through the pane ahead on that axis. */
+static void through_pane(const double eye[3], const double place[3], int ahead, double direction[3])
+{
+    int beside = 2 - ahead;
+    double before = eye[ahead] - 0.5, beyond = 0.5 - place[ahead];
+    double along[2] = {place[beside] - eye[beside], place[1] - eye[1]}, level = hypot(along[0], along[1]);
+    double cross = physical_crossing(before, beyond, level, PHYSICAL_IOR);
+    direction[ahead] = -before;
+    direction[beside] = along[0] * cross / level;
+    direction[1] = along[1] * cross / level;
+    physical_normalize(direction);
+}
+
+/* A ball in a tank, from outside it: through the pane that faces the eye, as through any plane. A texel of the layer is
+ * 0.9°; the water's line is in it, too. */
 static void check_pane(struct physical_fixture *fixture)
 {
-    struct dpl_scene *scene =
-        physical_scene(fixture, "[scene]\nsize = 1\ndepth = 0.6\nedge = glass\n[floor]\ncolor = 0 0 0\n");
+    static const double eyes[4][3] = {{0, -0.3, 1.5}, {0.9, -0.25, 1.4}, {-1.5, -0.1, 1.8}, {1.6, -0.35, 0.6}};
+    const double ball[3] = {0.1, -0.35, -0.1}, size[3] = {0.08, 0.08, 0.08};
+    struct dpl_scene *scene = physical_scene(fixture, TANK);
     physical_bright_sky(fixture, scene);
     for (int i = 0; i < 4; i++) {
-        const double eyes[4][3] = {{0, -0.3, 1.5}, {0.9, -0.25, 1.4}, {-1.5, -0.1, 1.8}, {1.6, -0.35, 0.6}};
-        const double ball[3] = {0.1, -0.35, -0.1}, size[3] = {0.08, 0.08, 0.08}, *eye = eyes[i];
-        int ahead = i == 3 ? 0 : 2, beside = 2 - ahead; /* the axes across the pane, and along it */
-        double before = eye[ahead] - 0.5, beyond = 0.5 - ball[ahead],
-               along[2] = {ball[beside] - eye[beside], ball[1] - eye[1]};
-        double level = hypot(along[0], along[1]), cross = physical_crossing(before, beyond, level, PHYSICAL_IOR),
-               expected[3];
-        expected[ahead] = -before;
-        expected[beside] = along[0] * cross / level;
-        expected[1] = along[1] * cross / level;
-        physical_look(scene, eye, (const double[3]){0, -0.3, 0.1},
-                      35); /* the water's line in the pane, too; a texel of the layer is 0.9° */
-        physical_normalize(expected);
+        double expected[3];
+        through_pane(eyes[i], ball, i == 3 ? 0 : 2, expected);
+        physical_look(scene, eyes[i], (const double[3]){0, -0.3, 0.1}, 35);
         struct pair pair = draw_pair(fixture, scene, "sphere", ball, size);
         expect_seen("a ball in a tank", scene, &pair, expected, 0.45);
         finish_pair(&pair);
     }
+    dpl_scene_destroy(scene);
+}
+
+/* In a side pane, which throws back all, it is seen as if it were as far beyond that; of it only the part that faces
+ * the eye, so that the middle of that is off by up to half of the ball's 2.4°. */
+static void check_side_pane(struct physical_fixture *fixture)
+{
+    const double eye[3] = {0.9, -0.25, 1.4}, ball[3] = {-0.35, -0.35, -0.25}, image[3] = {-0.65, -0.35, -0.25};
+    struct dpl_scene *scene = physical_scene(fixture, TANK);
+    double expected[3];
+    physical_bright_sky(fixture, scene);
+    physical_look(scene, eye, (const double[3]){0, -0.3, 0.1}, 35);
+    struct pair pair = draw_pair(fixture, scene, "sphere", ball, (const double[3]){0.08, 0.08, 0.08});
+    through_pane(eye, ball, 2, expected);
+    expect_seen("a ball near a side pane", scene, &pair, expected, 0.45);
+    through_pane(eye, image, 2, expected);
+    expect_seen("its image in that", scene, &pair, expected, 1.5);
+    finish_pair(&pair);
     dpl_scene_destroy(scene);
 }
 
@@ -222,6 +268,7 @@ static void check(bool es)
     check_window_brightness(&fixture);
     check_line(&fixture);
     check_pane(&fixture);
+    check_side_pane(&fixture);
     physical_finish(&fixture);
 }
 

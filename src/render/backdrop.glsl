@@ -9,7 +9,8 @@
 #include "optics/refraction.glsl"
 #include "render/sky.glsl"
 #include "render/shafts_read.glsl"
-uniform sampler2D direct_color, direct_depth, through_color, through_depth;
+#include "render/tank.glsl"
+uniform sampler2D direct_color, direct_depth;
 uniform float tile_floor; /* m, y of the floor */
 out vec4 color;
 
@@ -31,13 +32,13 @@ bool meets_pane(vec3 ray, float way, out vec3 there)
 /* The tank through its pane, and what is behind it. */
 vec3 behind_pane(vec3 ray, vec3 there, vec3 behind)
 {
-    vec3 bent = view_bent(ray);
+    vec3 bent = view_bent(ray), back = reflect(ray, plane.xyz), beyond = vec3(0.0);
     vec4 found = texture(through_color, target);
-    float depth = texture(through_depth, target).r, cosine = -dot(plane.xyz, ray);
-    float way = depth < 1.0 ? max(view_way(depth, ray) - length(there - eye), 0.0) : 2.0 * waves_extent;
-    float share = optics_fresnel_reflectance(cosine, ior);
-    vec3 back = reflect(ray, plane.xyz);
-    vec3 inside = found.rgb + (1.0 - found.a) * ior * ior * behind;
+    float depth = texture(through_depth, target).r, way = max(view_way(depth, ray) - length(there - eye), 0.0);
+    if (found.a < 1.0)
+        beyond = tank_pane(there, bent, behind, way);
+    float share = optics_fresnel_reflectance(-dot(plane.xyz, ray), ior);
+    vec3 inside = found.rgb + (1.0 - found.a) * beyond;
     inside = shafts_sight(inside, there, bent, way, target);
     return share * sky_radiance(back, 0.0) + (1.0 - share) / (ior * ior) * inside;
 }
