@@ -203,29 +203,11 @@ static inline double physical_crossing(double before, double beyond, double leve
     return (low + high) / 2;
 }
 
-/* Where two pictures differ by more than `least` in green: the number of pixels, and their middle in pixels. */
+/* Where two pictures differ in green: the number of pixels, and their middle in pixels. */
 struct physical_spot {
     int count;
     double x, y;
 };
-
-static inline struct physical_spot physical_difference(const struct dpl_image *a, const struct dpl_image *b,
-                                                       double least)
-{
-    struct physical_spot spot = {0, 0, 0};
-    for (int row = 0; row < a->height; row++) {
-        for (int column = 0; column < a->width; column++) {
-            if (fabs(physical_pixel(a, column, row, 1) - physical_pixel(b, column, row, 1)) <= least)
-                continue;
-            spot.count++;
-            spot.x += column + 0.5;
-            spot.y += row + 0.5;
-        }
-    }
-    spot.x /= spot.count;
-    spot.y /= spot.count;
-    return spot;
-}
 
 /* Fresnel's reflectance of unpolarised light, by the angles on both sides. */
 static inline double physical_reflectance(double outside, double inside)
