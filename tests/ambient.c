@@ -91,6 +91,20 @@ static void shadows_take_the_sun_away(void **state)
     expect(bake(place, 0, 0, 0, -1, 64), (1 + 0.5 * 0.5) * 0.5 * 2 * sin(M_PI / 3), 0.02);
 }
 
+/* A block of water with a thin wall that lies in its side's plane towards the sun: what the sun would bring in there
+ * stays out. */
+static void a_wall_in_the_side_of_the_water(void **state)
+{
+    struct place *place = *state;
+    shine(place, 0, 2);
+    place->world.water.half = 1;
+    place->world.sun = optics_sun_disc(&(struct optics_sun){.elevation = 14});
+    assert_true(bake(place, 0.8, -0.6, 0, -1, 256) > 0.01);
+    put_box(place, (const double[3]){1, -1.5, -9}, (const double[3]){1.00005, 3, 9}, false);
+    place->solids[0] = place->solids[1] = place->solids[2] = 0;
+    expect(bake(place, 0.8, -0.6, 0, -1, 256), 0, 0);
+}
+
 /* A box stands between two places on the floor, and not between two others. */
 static void a_box_parts_places(void **state)
 {
@@ -138,6 +152,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(sunlit_floor_lights_what_is_above, setup, teardown),
         cmocka_unit_test_setup_teardown(sun_through_flat_water, setup, teardown),
         cmocka_unit_test_setup_teardown(shadows_take_the_sun_away, setup, teardown),
+        cmocka_unit_test_setup_teardown(a_wall_in_the_side_of_the_water, setup, teardown),
         cmocka_unit_test_setup_teardown(a_box_parts_places, setup, teardown),
         cmocka_unit_test_setup_teardown(threads_do_not_show, setup, teardown),
     };

@@ -112,7 +112,7 @@ static void sky_through_snells_window(void **state)
         if (away > edge + pixel)
             assert_true(picture.pixels[4 * i] == 0);
         else if (away < edge - 2 * pixel)
-            expect((double)picture.pixels[4 * i], wanted, 0.2);
+            expect((double)picture.pixels[4 * i], wanted, 0.03);
     }
 }
 
@@ -149,9 +149,8 @@ static void shafts_of_still_water(void **state)
 
 /* Cloudy water over a bright floor: what photons bring is what paths find that know the sun's way through water at
  * rest, and are scattered and thrown back as often as they like. */
-static void photons_bring_what_paths_find(void **state)
+static void photons_bring_what_paths_find(struct place *place, double absorption, double scattering, double tolerance)
 {
-    struct place *place = *state;
     struct picture picture;
     struct surface *surface = at_rest(place);
     const struct camera_sight sight = look((const double[3]){0.2, 2, 0.3}, 1, -1, 0.1);
@@ -160,8 +159,8 @@ static void photons_bring_what_paths_find(void **state)
     place->world.water.half = INFINITY;
     place->world.water.surface = surface;
     for (int c = 0; c < 3; c++) {
-        place->world.water.optics.absorption[c] = 0.1;
-        place->world.water.optics.scattering[c] = 0.3 * (1 + c);
+        place->world.water.optics.absorption[c] = absorption;
+        place->world.water.optics.scattering[c] = scattering * (1 + c);
     }
     place->world.water.optics.anisotropy = 0.3;
     draw(place, &sight, &settings, 16, &picture);
@@ -181,7 +180,38 @@ static void photons_bring_what_paths_find(void **state)
     }
     camera_scene_finish(&scene);
     for (int c = 0; c < 3; c++)
-        expect(mean(&picture, c), sums[c], 0.025);
+        expect(mean(&picture, c), sums[c], tolerance);
+}
+
+static void photons_in_cloudy_water(void **state)
+{
+    photons_bring_what_paths_find(*state, 0.1, 0.3, 0.025);
+}
+
+/* So murky that photons leave more in the water than there is room for. */
+static void photons_in_murky_water(void **state)
+{
+    photons_bring_what_paths_find(*state, 1, 4, 0.04);
+}
+
+/* A black plate in the water that throws no shadow: the floor below it has its light all the same. */
+static void photons_pass_what_throws_no_shadow(void **state)
+{
+    static const bool casts[12] = {false};
+    struct place *place = *state;
+    struct picture open, below;
+    struct surface *surface = at_rest(place);
+    const struct camera_sight view = look((const double[3]){0.2, -0.7, 0.3}, 1, -1, 0.3);
+    shine(place, 0, 5);
+    place->world.water.half = INFINITY;
+    place->world.water.surface = surface;
+    place->solids[0] = place->solids[1] = place->solids[2] = 0;
+    place->floor[0] = place->floor[1] = place->floor[2] = 0.02;
+    draw(place, &view, &usual, 16, &open);
+    put_box(place, (const double[3]){-9, -0.5, -9}, (const double[3]){9, -0.4, 9}, false);
+    place->world.solids.casts = casts;
+    draw(place, &view, &usual, 16, &below);
+    expect(mean(&below, 1), mean(&open, 1), 0.03);
 }
 
 /* The photons of a picture and those of a caustic map count the same light on the floor. */
@@ -266,7 +296,9 @@ int main(void)
         cmocka_unit_test_setup_teardown(the_floor_below_flat_water, setup, teardown),
         cmocka_unit_test_setup_teardown(sky_through_snells_window, setup, teardown),
         cmocka_unit_test_setup_teardown(shafts_of_still_water, setup, teardown),
-        cmocka_unit_test_setup_teardown(photons_bring_what_paths_find, setup, teardown),
+        cmocka_unit_test_setup_teardown(photons_in_cloudy_water, setup, teardown),
+        cmocka_unit_test_setup_teardown(photons_in_murky_water, setup, teardown),
+        cmocka_unit_test_setup_teardown(photons_pass_what_throws_no_shadow, setup, teardown),
         cmocka_unit_test_setup_teardown(caustics_are_those_that_were_counted, setup, teardown),
         cmocka_unit_test_setup_teardown(threads_do_not_show, setup, teardown),
     };

@@ -1,7 +1,8 @@
 /* reference/camera.h: the ground truth of a picture: a path tracer (Kajiya 1986) with photons for the sunlight that has
  * met water (Jensen 1996). Passes add up to a picture with less and less noise.
  *
- * Exact but for what photons smear: see reference/camera_photons.h. The picture is the same for any number of threads.
+ * Exact but for what photons smear, see reference/camera_photons.h, and for what would come after CAMERA_MEETINGS
+ * scatterings of one of them. The picture is the same for any number of threads.
  */
 #ifndef REFERENCE_CAMERA_H
 #define REFERENCE_CAMERA_H

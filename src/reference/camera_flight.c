@@ -8,7 +8,7 @@
 #define ABOVE 100.0    /* m: no water is higher */
 #define REFLECTED 0.25 /* share of photons that are reflected where they first meet water */
 #define SIDES 0.25     /* share that goes to the sides of a block of water */
-#define FLUSH 2e-3     /* m: a wall that near before a side of the water is in the sun's way */
+#define STOPPED 0.5    /* share that ends at what throws no shadow; the others go on behind it */
 
 static struct photon photon_of(const double place[3], const double vector[3], const double flux[3])
 {
@@ -61,12 +61,9 @@ static bool start_on_side(struct camera_flight *flight, const double to_sun[3], 
 
 static bool sunlit(const struct camera_flight *flight, const struct camera_hit *hit, const double to_sun[3])
 {
-    const struct camera_scene *scene = flight->scene;
-    double inside[3];
-    vector3_along(hit->position, hit->face, hit->face[1] == 0 ? -FLUSH : 0, inside);
     struct camera_hit wave;
-    return camera_scene_clear(scene, inside, to_sun, CAMERA_FARTHEST) &&
-           !camera_scene_water(scene, hit->position, to_sun, CAMERA_FARTHEST, &wave);
+    return camera_scene_lit(flight->scene, hit, to_sun) &&
+           !camera_scene_water(flight->scene, hit->position, to_sun, CAMERA_FARTHEST, &wave);
 }
 
 /* Lets a photon into the water, or throws it back. Where colours part, one of them goes on and stands for three. */
@@ -124,6 +121,14 @@ static void step(struct camera_flight *flight)
     if (hit.what == CAMERA_WATER) {
         cross(flight, &hit, 0);
         return;
+    }
+    if (hit.what == CAMERA_SOLID && !hit.casts) {
+        bool stops = draws_next(&flight->draws) < STOPPED;
+        vector3_scale(flight->flux, 1 / (stops ? STOPPED : 1 - STOPPED), flight->flux);
+        if (!stops) {
+            vector3_copy(hit.position, flight->place);
+            return;
+        }
     }
     flight->landed = hit.what == CAMERA_SOLID;
     flight->solid = photon_of(hit.position, hit.normal, flight->flux);

@@ -9,7 +9,7 @@
 
 #define PHOTON 0x70686f746f6eu /* start of the photons' random numbers, not that of a pixel's */
 #define BLOCK 4096             /* photons that a thread sends together */
-#define MARKS 6                /* mean number of ways through water of the photons of a block that there is room for */
+#define MARKS 6                /* ways through water of each photon of a block that there is room for */
 #define FLATNESS 0.25          /* of the radius: how far off the plane of a surface photons still lie on it */
 #define SAME_SIDE 0.5          /* cosine between normals of what may be one surface */
 
@@ -42,6 +42,14 @@ void camera_photons_finish(struct camera_photons *photons)
     *photons = (struct camera_photons){0};
 }
 
+/* What the marks of photons of a block that there was room for carry for those that there was none for. */
+static void stand_for_all(struct photon *marks, int count, double scale)
+{
+    for (int i = 0; i < count && scale > 1; i++)
+        for (int c = 0; c < 3; c++)
+            marks[i].flux[c] *= (float)scale;
+}
+
 /* Sends the photons of a block, and leaves what has come of them at the start of its part of the arrays. */
 static void send_block(struct camera_photons *photons, int block, uint64_t pass)
 {
@@ -49,6 +57,7 @@ static void send_block(struct camera_photons *photons, int block, uint64_t pass)
     struct photon *solids = photons->solids.photons + (size_t)block * BLOCK;
     struct photon *marks = photons->water.photons + (size_t)block * BLOCK * MARKS;
     int first = block * BLOCK, end = photons->sent < first + BLOCK ? photons->sent : first + BLOCK;
+    int room = (end - first) * MARKS, marked = 0;
     *sent = (struct camera_block){0};
     for (int i = first; i < end; i++) {
         struct camera_flight flight;
@@ -56,9 +65,13 @@ static void send_block(struct camera_photons *photons, int block, uint64_t pass)
         camera_fly(&flight, photons->scene, &photons->aim, draws);
         if (flight.landed)
             solids[sent->solids++] = flight.solid;
-        for (int k = 0; k < flight.marked && sent->marks < (end - first) * MARKS; k++)
+        if (sent->marks + flight.marked > room)
+            room = 0;
+        for (int k = 0; k < flight.marked && room > 0; k++)
             marks[sent->marks++] = flight.marks[k];
+        marked += room > 0;
     }
+    stand_for_all(marks, sent->marks, (end - first) / fmax(marked, 1));
 }
 
 void camera_photons_send(struct camera_photons *photons, uint64_t pass)

@@ -1,10 +1,10 @@
 /* reference/camera_photons.h: the sun's light that has met water, as photons (Jensen 1996).
  *
  * A photon starts where the sun shines on the water, is reflected or refracted there and wherever it meets water again,
- * is scattered in the water, and ends at the first solid. In water that scatters it leaves some of its light at places
- * on its way. Light at a
- * place is then what the photons around it carry, over the area or the room in which they were counted: it is smeared
- * over that radius, and at a solid's edge, where part of the disc is beyond it, too dark. */
+ * is scattered in the water, and ends at the first solid, or goes on behind it where that throws no shadow. In water
+ * that scatters it leaves some of its light at places on its way. Light at a place is then what the photons around it
+ * carry, over the area or the room in which they were counted: it is smeared over that radius, and at a solid's edge,
+ * where part of the disc is beyond it, too dark. */
 #ifndef REFERENCE_CAMERA_PHOTONS_H
 #define REFERENCE_CAMERA_PHOTONS_H
 

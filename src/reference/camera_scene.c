@@ -5,7 +5,7 @@
 #include <string.h>
 
 #define GAP 1e-4     /* m that a ray leaves out at its start, so that it does not meet the surface that it comes from */
-#define FLUSH 2e-3   /* m: a wall that near behind the side of the water touches it, and there is no air between */
+#define FLUSH 2e-3   /* m: a wall that near to the side of the water touches it, and there is no air between */
 #define GAP_FAR 2e-6 /* the same for each metre from the middle of the scene, for the sake of the floats */
 
 /* The triangles, or those of them that throw shadows, as a scene of their own. */
@@ -112,6 +112,7 @@ static void finish_triangle(const struct camera_solids *solids, const struct RTC
         vector3_scale(normal, (side < 0 ? -1 : 1) / length, hit->normal);
     if (!(length > 0) || vector3_dot(hit->normal, direction) >= 0)
         vector3_copy(hit->face, hit->normal); /* seen so flatly that the interpolated side looks away */
+    hit->casts = !solids->casts || solids->casts[met->primID];
     solids->reflectance(solids->user, (int)met->primID, u, v, hit->reflectance);
 }
 
@@ -139,6 +140,7 @@ static void meet_floor(const struct camera_scene *scene, const double origin[3],
         return;
     double side = vector3_dot(met.face, direction) > 0 ? -1 : 1;
     hit->what = CAMERA_SOLID;
+    hit->casts = true;
     hit->distance = met.distance;
     vector3_scale(met.face, side, hit->face);
     vector3_scale(met.normal, side, hit->normal);
@@ -229,6 +231,13 @@ bool camera_scene_clear(const struct camera_scene *scene, const double origin[3]
     rtcInitIntersectContext(&context);
     rtcOccluded1(scene->casting, &context, &ray);
     return ray.tfar >= 0;
+}
+
+bool camera_scene_lit(const struct camera_scene *scene, const struct camera_hit *water, const double to_sun[3])
+{
+    double inside[3];
+    vector3_along(water->position, water->face, water->face[1] == 0 ? -FLUSH : 0, inside);
+    return camera_scene_clear(scene, inside, to_sun, CAMERA_FARTHEST);
 }
 
 bool camera_scene_wet(const struct camera_scene *scene, const double place[3])

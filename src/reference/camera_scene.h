@@ -25,6 +25,7 @@ struct camera_hit {
     double normal[3]; /* interpolated; of a solid towards where the ray came from, of water into the air */
     double face[3];   /* the same of the mesh */
     double reflectance[3];
+    bool casts; /* a solid throws shadows */
 };
 
 /* The first meeting of a ray that starts at a surface or in the open. */
@@ -37,6 +38,10 @@ bool camera_scene_water(const struct camera_scene *scene, const double origin[3]
 /* True where nothing solid that throws shadows lies in the way for that many metres. */
 bool camera_scene_clear(const struct camera_scene *scene, const double origin[3], const double direction[3],
                         double length);
+
+/* True where nothing of that kind lies between the sun and a place of the water's surface; a wall that touches a side
+ * of the water does. */
+bool camera_scene_lit(const struct camera_scene *scene, const struct camera_hit *water, const double to_sun[3]);
 
 /* True where a place is in the water. */
 bool camera_scene_wet(const struct camera_scene *scene, const double place[3]);

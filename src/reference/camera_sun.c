@@ -41,8 +41,7 @@ static bool refracted(const struct camera_scene *scene, const double place[3], c
     optics_refract(to_sun, normal, water->ior[color], beam->direction);
     vector3_scale(beam->direction, -1, back);
     if (!camera_scene_water(scene, place, back, CAMERA_FARTHEST, &entry) || vector3_dot(entry.normal, normal) < 0.5 ||
-        !camera_scene_clear(scene, place, back, entry.distance) ||
-        !camera_scene_clear(scene, entry.position, to_sun, CAMERA_FARTHEST))
+        !camera_scene_clear(scene, place, back, entry.distance) || !camera_scene_lit(scene, &entry, to_sun))
         return false;
     double share = (1 - optics_fresnel_reflectance(cosine, water->ior[color])) * cosine / vector3_dot(back, normal);
     for (int c = 0; c < 3; c++)
@@ -59,8 +58,7 @@ static bool reflected(const struct camera_scene *scene, const double place[3], c
     const double back[3] = {to_sun[0], -to_sun[1], to_sun[2]};
     struct camera_hit mirror;
     if (!camera_scene_water(scene, place, back, CAMERA_FARTHEST, &mirror) || mirror.normal[1] < 0.5 ||
-        !camera_scene_clear(scene, place, back, mirror.distance) ||
-        !camera_scene_clear(scene, mirror.position, to_sun, CAMERA_FARTHEST))
+        !camera_scene_clear(scene, place, back, mirror.distance) || !camera_scene_lit(scene, &mirror, to_sun))
         return false;
     vector3_scale(back, -1, beam->direction);
     for (int c = 0; c < 3; c++)
