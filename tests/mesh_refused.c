@@ -93,6 +93,46 @@ static void counts_beyond_the_file_are_refused(void **state)
     }
 }
 
+/* What would take for ever: each kind of element reads the header again. */
+static void too_many_elements_are_refused(void **state)
+{
+    struct mesh_fixture *fixture = *state;
+    struct mesh_bytes bytes = {.length = 0};
+    mesh_print(&bytes, "ply\nformat ascii 1.0\n");
+    for (int i = 0; i < 17; i++)
+        mesh_print(&bytes, "element a 0\n");
+    mesh_print(&bytes, "end_header\n");
+    mesh_write(mesh_path(fixture, "a.ply"), bytes.bytes, bytes.length);
+    expect_refused(fixture, DPL_REASON_FILE_FORMAT, "16 elements");
+}
+
+/* One triangle of a mesh with many vertices, placed often. */
+static void vertices_placed_too_often_are_refused(void **state)
+{
+    enum { VERTICES = 100000, NODES = 200 };
+    struct mesh_fixture *fixture = *state;
+    static char text[NODES * 16 + 1000], bytes[VERTICES * 12 + 6] = {0};
+    const unsigned char face[6] = {0, 0, 1, 0, 2, 0};
+    int used = snprintf(
+        text, sizeof text,
+        "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"buffers\":[{\"uri\":\"a.bin\",\"byteLength\":%d}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":%d},{\"buffer\":0,\"byteOffset\":%d,\"byteLength\":6}],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":%d,\"type\":\"VEC3\"},"
+        "{\"bufferView\":1,\"componentType\":5123,\"count\":3,\"type\":\"SCALAR\"}],"
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}],\"nodes\":[{\"mesh\":0}",
+        VERTICES * 12 + 6, VERTICES * 12, VERTICES * 12, VERTICES);
+    for (int i = 1; i < NODES; i++)
+        used += snprintf(text + used, sizeof text - (size_t)used, ",{\"mesh\":0}");
+    used += snprintf(text + used, sizeof text - (size_t)used, "],\"scenes\":[{\"nodes\":[0");
+    for (int i = 1; i < NODES; i++)
+        used += snprintf(text + used, sizeof text - (size_t)used, ",%d", i);
+    used += snprintf(text + used, sizeof text - (size_t)used, "]}]}");
+    memcpy(bytes + VERTICES * 12, face, sizeof face);
+    mesh_write(mesh_path(fixture, "a.bin"), bytes, sizeof bytes);
+    mesh_write(mesh_path(fixture, "a.gltf"), text, (size_t)used);
+    expect_refused(fixture, DPL_REASON_LIMIT, "too many vertices");
+}
+
 /* What would be followed for ever, too deep, or again and again. */
 static void nodes_that_are_no_trees_are_refused(void **state)
 {
@@ -164,6 +204,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(counts_beyond_the_file_are_refused, mesh_setup, mesh_teardown),
         cmocka_unit_test_setup_teardown(nodes_that_are_no_trees_are_refused, mesh_setup, mesh_teardown),
         cmocka_unit_test_setup_teardown(too_many_triangles_are_refused, mesh_setup, mesh_teardown),
+        cmocka_unit_test_setup_teardown(too_many_elements_are_refused, mesh_setup, mesh_teardown),
+        cmocka_unit_test_setup_teardown(vertices_placed_too_often_are_refused, mesh_setup, mesh_teardown),
         cmocka_unit_test_setup_teardown(what_is_no_file_is_refused, mesh_setup, mesh_teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -255,6 +255,31 @@ static void files_are_found_from_the_folder_of_the_scene(void **state)
     assert_int_equal(support_folder_count(fixture->folder, false), 2);
 }
 
+/* A folder's name may hold what could not stand in scene text. */
+static void files_are_found_in_any_folder(void **state)
+{
+    struct fixture *fixture = *state;
+    static const char text[] = "[heightfield]\nfile = h.png\n";
+    char folder[512], path[600], here[512];
+    assert_int_equal(mkdir(path_of(fixture, "sea #2", folder), 0777), 0);
+    snprintf(path, sizeof path, "%s/a.ini", folder);
+    write_file(path, text, strlen(text));
+    assert_true(dpl_scene_load(fixture->scene, path));
+    file_is(fixture, folder, "h.png");
+    assert_true(dpl_scene_save(fixture->scene, path));
+    assert_true(dpl_scene_load(fixture->scene, path));
+    file_is(fixture, folder, "h.png");
+    support_set(fixture->scene, "heightfield.file", "by-hand.png");
+    assert_non_null(getcwd(here, sizeof here));
+    assert_int_equal(chdir(folder), 0);
+    char other[512];
+    assert_false(dpl_scene_save(fixture->scene, path_of(fixture, "b.ini", other)));
+    assert_int_equal(chdir(here), 0);
+    EXPECT_ERROR(&fixture->log, DPL_REASON_VALUE, other, "cannot stand in scene text");
+    unlink(path);
+    rmdir(folder);
+}
+
 static void names_that_are_nearly_right_are_told(void **state)
 {
     struct fixture *fixture = *state;
@@ -290,6 +315,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(files_that_cannot_be_read_are_named, setup, teardown),
         cmocka_unit_test_setup_teardown(a_file_goes_before_a_built_in_scene, setup, teardown),
         cmocka_unit_test_setup_teardown(files_are_found_from_the_folder_of_the_scene, setup, teardown),
+        cmocka_unit_test_setup_teardown(files_are_found_in_any_folder, setup, teardown),
         cmocka_unit_test_setup_teardown(names_that_are_nearly_right_are_told, setup, teardown),
         cmocka_unit_test_setup_teardown(a_scene_that_cannot_be_saved_says_so, setup, teardown),
     };

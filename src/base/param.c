@@ -123,8 +123,7 @@ static bool parse_choice(const struct dpl_param *param, int *value, const char *
     return reject(param, DPL_REASON_CHOICE, where, "no such choice", text, log);
 }
 
-/* Scene text has no quotes: what would end a line, start a comment or be trimmed cannot stand in it. */
-static bool fits_scene_text(const char *text)
+bool param_fits_scene_text(const char *text)
 {
     for (const char *c = text; *c; c++)
         if ((unsigned char)*c < ' ' || ((c == text || c[-1] == ' ') && (*c == '#' || *c == ';')))
@@ -137,7 +136,7 @@ static bool parse_text(const struct dpl_param *param, char *value, const char *t
 {
     if (strlen(text) >= DPL_PARAM_TEXT_SIZE)
         return reject(param, DPL_REASON_RANGE, where, "too long", text, log);
-    if (!fits_scene_text(text))
+    if (!param_fits_scene_text(text))
         return reject(param, DPL_REASON_VALUE, where, "cannot stand in scene text", text, log);
     memset(value, 0, DPL_PARAM_TEXT_SIZE);
     memcpy(value, text, strlen(text));

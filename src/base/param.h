@@ -64,6 +64,10 @@ void param_defaults(const struct dpl_param *table, void *values);
 /* The entry of that name, or NULL. */
 const struct dpl_param *param_find(const struct dpl_param *table, const char *name);
 
+/* True where that can be a text value: scene text has no quotes, and what would end a line, start a comment or be
+ * trimmed cannot stand in it. */
+bool param_fits_scene_text(const char *text);
+
 /* Reads `text` into the value. `where` opens the message: "pool.ini:12: sun.elevation". On failure the value stays. */
 bool param_parse(const struct dpl_param *param, void *values, const char *text, const char *where,
                  const struct dpl_log *log);

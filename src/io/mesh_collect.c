@@ -176,12 +176,14 @@ static bool collect(struct collector *to, const struct aiNode *node, const float
     for (unsigned i = 0; i < node->mNumMeshes; i++) {
         placing.part = to->scene->mMeshes[node->mMeshes[i]];
         const struct aiMaterial *material = to->scene->mMaterials[placing.part->mMaterialIndex];
+        if (!to->mesh->indices) {
+            count_part(to, placing.part);
+            continue;
+        }
         base_color(material, placing.color);
         placing.normals = has_normals(placing.part);
         to->textures += has_texture(material);
-        if (!to->mesh->indices)
-            count_part(to, placing.part);
-        else if (!place_part(to, &placing))
+        if (!place_part(to, &placing))
             return false;
     }
     for (unsigned i = 0; i < node->mNumChildren; i++)

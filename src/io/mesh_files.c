@@ -83,8 +83,7 @@ static bool is_inside(const char *name)
 
 static struct aiFile *open_beside(struct mesh_files *files, const char *name)
 {
-    const char *slash = strrchr(files->path, '/');
-    int folder = slash ? (int)(slash - files->path) + 1 : 0;
+    int folder = (int)file_folder(files->path);
     char path[PATH_MAX];
     size_t length = 0;
     if (!is_inside(name) || snprintf(path, sizeof path, "%.*s%s", folder, files->path, name) >= (int)sizeof path ||

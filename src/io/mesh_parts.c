@@ -42,10 +42,14 @@ static bool mesh_is_sound(const struct aiScene *scene, const struct aiMesh *mesh
     return positions_are_sound(mesh, path, log) && faces_are_sound(mesh, path, log);
 }
 
-/* Adds up what a node and those below it place, each mesh as often as it is placed; a line or point counts as a
- * triangle of `faces`. */
-static bool count_faces(const struct aiScene *scene, const struct aiNode *node, long long *faces, bool *triangles,
-                        const char *path, const struct dpl_log *log)
+/* What nodes place, each mesh as often as it is placed. */
+struct placed {
+    long long vertices, faces; /* a line or point counts as a triangle */
+    bool triangles;            /* there is one that is none of those */
+};
+
+static bool count_placed(const struct aiScene *scene, const struct aiNode *node, struct placed *placed,
+                         const char *path, const struct dpl_log *log)
 {
     for (unsigned i = 0; i < node->mNumMeshes; i++) {
         if (node->mMeshes[i] >= scene->mNumMeshes)
@@ -53,27 +57,31 @@ static bool count_faces(const struct aiScene *scene, const struct aiNode *node, 
                              node->mMeshes[i], scene->mNumMeshes);
         const struct aiMesh *mesh = scene->mMeshes[node->mMeshes[i]];
         for (unsigned k = 0; k < mesh->mNumFaces; k++) {
-            *triangles = *triangles || mesh->mFaces[k].mNumIndices > 2;
-            *faces += mesh->mFaces[k].mNumIndices > 2 ? mesh->mFaces[k].mNumIndices - 2 : 1;
+            placed->triangles = placed->triangles || mesh->mFaces[k].mNumIndices > 2;
+            placed->faces += mesh->mFaces[k].mNumIndices > 2 ? mesh->mFaces[k].mNumIndices - 2 : 1;
         }
-        if (*faces > IO_MESH_TRIANGLES_MAX)
-            return base_fail(log, DPL_REASON_LIMIT, "%s: too many triangles: %lld and more (at most %d)", path, *faces,
-                             IO_MESH_TRIANGLES_MAX);
+        placed->vertices += mesh->mNumVertices;
+        if (placed->faces > IO_MESH_TRIANGLES_MAX)
+            return base_fail(log, DPL_REASON_LIMIT, "%s: too many triangles: %lld and more (at most %d)", path,
+                             placed->faces, IO_MESH_TRIANGLES_MAX);
+        if (placed->vertices > 3LL * IO_MESH_TRIANGLES_MAX)
+            return base_fail(log, DPL_REASON_LIMIT, "%s: too many vertices: %lld and more (at most %d)", path,
+                             placed->vertices, 3 * IO_MESH_TRIANGLES_MAX);
     }
     for (unsigned i = 0; i < node->mNumChildren; i++)
-        if (!count_faces(scene, node->mChildren[i], faces, triangles, path, log))
+        if (!count_placed(scene, node->mChildren[i], placed, path, log))
             return false;
     return true;
 }
 
 bool mesh_parts_are_sound(const struct aiScene *scene, const char *path, const struct dpl_log *log)
 {
-    long long faces = 0;
-    bool triangles = false;
+    struct placed placed = {.triangles = false};
     for (unsigned i = 0; i < scene->mNumMeshes; i++)
         if (!mesh_is_sound(scene, scene->mMeshes[i], path, log))
             return false;
-    if (scene->mRootNode && !count_faces(scene, scene->mRootNode, &faces, &triangles, path, log))
+    if (scene->mRootNode && !count_placed(scene, scene->mRootNode, &placed, path, log))
         return false;
-    return triangles || base_fail(log, DPL_REASON_FILE_FORMAT, "%s: has no triangles (accepted: 1 at least)", path);
+    return placed.triangles ||
+           base_fail(log, DPL_REASON_FILE_FORMAT, "%s: has no triangles (accepted: 1 at least)", path);
 }

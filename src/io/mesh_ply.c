@@ -11,6 +11,7 @@
 
 #define LINE_MAX_LENGTH 256
 #define PROPERTIES_MAX 64
+#define ELEMENTS_MAX 16 /* kinds of them: the header is read anew for each */
 
 /* One kind of element: `count` times these properties. */
 struct element {
@@ -138,6 +139,8 @@ static int read_header(struct ply *ply, int wanted, struct element *element)
         } else if (!strncmp(line, "element ", 8)) {
             if (elements++ == wanted && (sscanf(line, "element %*s %lld", &element->count) != 1 || element->count < 0))
                 return -1;
+            if (elements > ELEMENTS_MAX)
+                return -1;
         } else if (!strncmp(line, "property ", 9) && mine && !add_property(element, line))
             return -1;
     }
@@ -152,7 +155,9 @@ bool mesh_ply_is_sound(const char *bytes, size_t length, const char *path, const
         struct element element;
         int found = read_header(&ply, i, &element);
         if (found < 0)
-            return base_fail(log, DPL_REASON_FILE_FORMAT, "%s: no PLY (accepted: \"ply\" … \"end_header\")", path);
+            return base_fail(log, DPL_REASON_FILE_FORMAT,
+                             "%s: no PLY (accepted: \"ply\" … \"end_header\", at most %d elements)", path,
+                             ELEMENTS_MAX);
         if (found == 0)
             return true;
         ply.at = body ? body : ply.at;

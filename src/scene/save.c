@@ -42,6 +42,9 @@ static bool name_from(const char *path, char *name, const struct dpl_log *log)
         return base_fail(log, DPL_REASON_LIMIT, "%s: the whole name of a file is too long for scene text: \"%s\"", path,
                          name);
     snprintf(whole + used, sizeof whole - used, "/%s", name);
+    if (!param_fits_scene_text(whole))
+        return base_fail(log, DPL_REASON_VALUE, "%s: the whole name of a file cannot stand in scene text: \"%s\"", path,
+                         whole);
     strcpy(name, whole);
     return true;
 }

@@ -3,10 +3,10 @@
 #include "scene/shape.h"
 
 #include "base/log.h"
-#include "io/mesh.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 /* The box around the corners of all triangles. */
 static void measure(const struct io_mesh *mesh, double low[3], double high[3])
@@ -57,7 +57,6 @@ static bool build(struct world_builder *builder, const struct scene_object *obje
 {
     (void)seed; /* all copies are alike */
     struct world_part material = builder_material(object);
-    struct io_mesh mesh;
     char key[SCENE_OBJECT_NAME_SIZE + sizeof ".file"];
     snprintf(key, sizeof key, "%s.file", builder->name);
     struct base_named_log named = {.name = key, .outer = builder->log};
@@ -65,12 +64,16 @@ static bool build(struct world_builder *builder, const struct scene_object *obje
     if (object->file[0] == '\0')
         return base_fail(log, DPL_REASON_VALUE,
                          "no file is named (accepted: the name of a mesh, .obj .gltf .glb .ply .stl)");
-    if (!io_mesh_read(object->file, &mesh, log))
-        return false;
+    if (strcmp(object->file, builder->mesh_file) != 0) {
+        io_mesh_finish(&builder->mesh);
+        builder->mesh_file[0] = '\0';
+        if (!io_mesh_read(object->file, &builder->mesh, log))
+            return false;
+        snprintf(builder->mesh_file, sizeof builder->mesh_file, "%s", object->file);
+    }
     material.two_sided = true; /* a file's surfaces may be open, and wound either way */
     builder_part(builder, &material);
-    add_mesh(builder, object, &mesh);
-    io_mesh_finish(&mesh);
+    add_mesh(builder, object, &builder->mesh);
     return builder_ok(builder);
 }
 

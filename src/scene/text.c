@@ -270,16 +270,23 @@ static char *next_line(char *line, int size, void *user)
     return reading->failed ? NULL : line;
 }
 
-/* The name of a file stands for one in the folder of the scene's, unless it starts at the root. */
-static const char *in_folder(const struct reading *reading, const char *section_name, const char *key,
-                             const char *value, char *joined, size_t size)
+/* The name of a file, which was just read, stands for one in the folder of the scene's, unless it starts at the root.
+ */
+static bool put_in_folder(const struct reading *reading, const char *place, const char *section_name, const char *key)
 {
     struct dpl_section section = find_section(reading->scene, section_name);
-    const struct dpl_param *param = section.name ? param_find(section.params, key) : NULL;
-    if (!param || param->type != DPL_PARAM_TEXT || !*value || *value == '/' || reading->folder == 0)
-        return value;
-    snprintf(joined, size, "%.*s%s", (int)reading->folder, reading->name, value);
-    return joined;
+    const struct dpl_param *param = param_find(section.params, key);
+    char *value = (char *)section.values + param->offset;
+    if (param->type != DPL_PARAM_TEXT || !*value || *value == '/' || reading->folder == 0)
+        return true;
+    size_t length = strlen(value);
+    if (reading->folder + length >= DPL_PARAM_TEXT_SIZE)
+        return base_fail(reading->scene->log, DPL_REASON_RANGE,
+                         "%s%s.%s: too long with the scene's folder before it: \"%s\" (accepted: %d bytes at most)",
+                         place, section_name, key, value, DPL_PARAM_TEXT_SIZE - 1);
+    memmove(value + reading->folder, value, length + 1);
+    memcpy(value, reading->name, reading->folder);
+    return true;
 }
 
 /* Called by the parser with each value. */
@@ -290,10 +297,10 @@ static int take_value(void *user, const char *section, const char *key, const ch
         fail_line(reading, "a value outside of any section (accepted: [section] lines first)");
     if (reading->failed)
         return 1;
-    char place[PLACE_SIZE], joined[PATH_MAX];
+    char place[PLACE_SIZE];
     snprintf(place, sizeof place, "%.400s:%d: ", reading->name, reading->line);
-    value = in_folder(reading, section, key, value ? value : "", joined, sizeof joined);
-    reading->failed = !assign(reading->scene, place, section, key, value);
+    reading->failed = !assign(reading->scene, place, section, key, value ? value : "") ||
+                      !put_in_folder(reading, place, section, key);
     return 1;
 }
 

@@ -67,6 +67,7 @@ static bool build_objects(struct world *world, const struct dpl_scene *scene, co
     world->vertex_count = builder.vertex_count;
     world->index_count = builder.index_count;
     world->part_count = builder.part_count;
+    io_mesh_finish(&builder.mesh);
     world_box(world, scene->current.strength, -INFINITY, world->low, world->high);
     return true;
 }

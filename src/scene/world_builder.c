@@ -16,6 +16,7 @@ void builder_finish(struct world_builder *builder)
     free(builder->vertices);
     free(builder->indices);
     free(builder->parts);
+    io_mesh_finish(&builder->mesh);
     *builder = (struct world_builder){0};
 }
 

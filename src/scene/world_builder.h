@@ -5,6 +5,7 @@
 #ifndef SCENE_WORLD_BUILDER_H
 #define SCENE_WORLD_BUILDER_H
 
+#include "io/mesh.h"
 #include "scene/object.h"
 #include "scene/world.h"
 
@@ -21,11 +22,13 @@ struct world_builder {
     struct world_part *parts;
     int vertex_count, index_count, part_count;
     int vertex_room, index_room, part_room;
+    struct io_mesh mesh; /* read last, from the file of that name: copies of an object have it in common */
+    char mesh_file[DPL_PARAM_TEXT_SIZE];
 };
 
 bool builder_ok(const struct world_builder *builder);
 
-/* Frees what was built. */
+/* Frees what it holds. */
 void builder_finish(struct world_builder *builder);
 
 /* The triangles added from here on are of this material; `first` and `count` are the builder's. The object's own
