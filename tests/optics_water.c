@@ -17,14 +17,16 @@ static void scattered_light_is_all_there(void **state)
     const int steps = 200000;
     (void)state;
     for (double g = -0.95; g < 0.96; g += 0.19) {
-        double sum = 0, mean = 0;
+        double sum = 0, mean = 0, back = 0;
         for (int i = 0; i < steps; i++) {
             double cosine = 2 * (i + 0.5) / steps - 1, share = 2 * M_PI * optics_phase(cosine, g) * 2 / steps;
             sum += share;
             mean += cosine * share;
+            back += cosine < 0 ? share : 0;
         }
         expect_near(sum, 1, 1e-5);
         expect_near(mean, g, 1e-5);
+        expect_near(optics_phase_backward(g), back, 1e-5);
     }
     expect_near(optics_phase(0.3, 0), 1 / (4 * M_PI), 1e-15);
     expect_near(optics_phase(1, 0.5) / optics_phase(-1, 0.5), 27, 1e-12); /* ((1 + g) / (1 - g))³ */

@@ -66,6 +66,7 @@
     X(PFNGLGETSTRINGIPROC, GetStringi)                                                                                 \
     X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)                                                                 \
     X(PFNGLLINKPROGRAMPROC, LinkProgram)                                                                               \
+    X(PFNGLREADBUFFERPROC, ReadBuffer)                                                                                 \
     X(PFNGLREADPIXELSPROC, ReadPixels)                                                                                 \
     X(PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC, RenderbufferStorageMultisample)                                         \
     X(PFNGLSCISSORPROC, Scissor)                                                                                       \

@@ -15,10 +15,14 @@ bool layer_resize(struct dpl_gl *gl, struct gpu_layer *layer, GLenum format, int
     gl->BindFramebuffer(GL_FRAMEBUFFER, layer->framebuffer);
     gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, layer->depth.name, 0);
     gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, layer->color.name, 0);
-    gl->DrawBuffers(1, &(GLenum){format ? GL_COLOR_ATTACHMENT0 : GL_NONE});
-    return gl->CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE ||
-           base_fail(gl->log, DPL_REASON_UNSUPPORTED, "the device cannot draw %d × %d pixels of floats with depth",
-                     width, height);
+    const GLenum buffer = format ? GL_COLOR_ATTACHMENT0 : GL_NONE;
+    gl->DrawBuffers(1, &buffer);
+    gl->ReadBuffer(buffer);
+    if (gl->CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE)
+        return true;
+    layer_finish(gl, layer); /* so that the next frame tries again */
+    return base_fail(gl->log, DPL_REASON_UNSUPPORTED, "the device cannot draw %d × %d pixels of %s", width, height,
+                     format ? "floats with depth" : "depth");
 }
 
 void layer_resume(struct dpl_gl *gl, const struct gpu_layer *layer)

@@ -84,10 +84,10 @@ void timer_pass(struct gpu_timer *timer, const char *name)
 struct dpl_pass_time timer_time(const struct gpu_timer *timer, int index)
 {
     const struct dpl_pass_time *times = timer->times;
-    for (int i = 0; i < index && times[i].name; i++)
-        if (!times[i + 1].name)
+    for (int i = 0; i <= index; i++)
+        if (!times[i].name)
             return (struct dpl_pass_time){0};
-    return times[index];
+    return index < 0 ? (struct dpl_pass_time){0} : times[index];
 }
 
 void timer_finish(struct gpu_timer *timer)

@@ -5,8 +5,8 @@
 #include "dapple/renderer.h"
 #include "gpu/gl.h"
 
-#define TIMER_PASSES_MAX 96 /* more than that of a frame are not timed */
-#define TIMER_FRAMES 4      /* frames under way before a query's answer is read */
+#define TIMER_PASSES_MAX 256 /* more than that of a frame are not timed */
+#define TIMER_FRAMES 4       /* frames under way before a query's answer is read */
 
 struct gpu_timer {
     struct dpl_gl *gl; /* NULL: passes run on the CPU alone */

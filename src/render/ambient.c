@@ -78,7 +78,7 @@ static int frame_floor(const struct world *world, double square[3])
     return FLOOR_SIDE;
 }
 
-/* `points` is room for the places, normals and irradiance of side × side points, and as many texels of four. */
+/* Where light from all around is asked for on the floor: side × side places, and the upward normals there. */
 static void place_floor(const struct physical *physical, const struct frame *frame, int side, float *places,
                         float *normals)
 {

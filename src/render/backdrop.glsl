@@ -50,7 +50,7 @@ void main()
     vec3 ray = view_ray(target), there;
     vec4 solid = texture(direct_color, target);
     float depth = texture(direct_depth, target).r, way = depth < 1.0 ? view_way(depth, ray) : planes.y;
-    vec3 behind = sky_behind(solid, ray);
+    vec3 behind = min(sky_behind(solid, ray), vec3(SKY_MOST));
     if (pane != 0)
         color = vec4(meets_pane(ray, way, there) ? behind_pane(ray, there, behind) : behind, 1.0);
     else if (side > 0.0)

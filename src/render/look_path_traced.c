@@ -136,11 +136,7 @@ static bool begin(struct state *state, const struct frame *frame)
     const struct camera_sight sight = sight_of(frame);
     camera_finish(&state->camera);
     traced_world_finish(&state->traced);
-    free(state->radiance);
-    state->radiance =
-        base_allocate(log, (size_t)sight.width * (size_t)sight.height * 4, sizeof *state->radiance, "picture");
-    return state->radiance &&
-           traced_world_make(&state->traced, frame->scene, &state->solids, &state->sky, NULL, frame->above->periodic,
+    return traced_world_make(&state->traced, frame->scene, &state->solids, &state->sky, NULL, frame->above->periodic,
                              frame->time, log) &&
            read_sand(&state->traced, frame) && make_water(state, frame) &&
            camera_begin(&state->camera, &state->traced.camera, &sight, &settings, log);

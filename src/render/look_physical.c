@@ -20,7 +20,7 @@ static const struct dpl_param params[] = {
 };
 
 static const struct quality qualities[] = {
-    [SCENE_QUALITY_LOW] = {1024, 4, 12, 3, 0.5, 0.5, 128, 1},
+    [SCENE_QUALITY_LOW] = {1024, 4, 12, 4, 0.5, 0.5, 128, 1},
     [SCENE_QUALITY_MEDIUM] = {2048, 8, 20, 2, 0.75, 0.5, 256, 1},
     [SCENE_QUALITY_HIGH] = {4096, 12, 32, 2, 1, 1, 512, 2},
     [SCENE_QUALITY_ULTRA] = {4096, 24, 64, 1, 1, 1, 1024, 3},
@@ -56,8 +56,6 @@ static bool prepare(void *state, const struct frame *frame)
 {
     struct physical *physical = state;
     struct dpl_gl *gl = frame->gl;
-    if (!gl->info.float_render)
-        return base_fail(gl->log, DPL_REASON_UNSUPPORTED, "look physical: this device cannot draw to floats");
     physical->quality = qualities[frame->scene->render.quality];
     if (!optics_sky_make(&physical->sky, &frame->scene->sky, &frame->scene->sun, gl->log) ||
         !sky_texture_update(&physical->sky_texture, gl, &physical->sky) ||
@@ -229,7 +227,7 @@ const struct scene_look look_physical = {
     .state_size = sizeof(struct physical),
     .sand = true,
     .linear = true,
-    .margin = 16,
+    .margin = 256, /* as far as waves look beside themselves for what they show */
     .prepare = prepare,
     .draw = draw,
     .finish = finish,

@@ -1,16 +1,15 @@
 #include "render/physical.h"
 
 #include "light/map_texture.h"
+#include "optics/phase.h"
 #include "optics/refraction.h"
 #include "optics/water_types.h"
 #include "scene/sway.h"
 
 #include <math.h>
-#include <string.h>
 
 #define DIFFUSE_ENTERS 0.934 /* share of light from all around that flat water lets in (Preisendorfer 1976) */
 #define DIFFUSE_SLANT 1.2    /* m of its way for each m of depth (Gordon 1989: the inverse of its mean cosine) */
-#define BACKWARD 0.25        /* share of what the smooth rest of the phase function throws back up */
 
 static const double degree = M_PI / 180;
 
@@ -23,7 +22,6 @@ static void scatter(struct physical_light *light, const struct water_medium *med
         light->absorption[c] = water.absorption[c];
         light->scattering[c] = water.scattering[c];
         light->extinction[c] = water.absorption[c] + rest;
-        light->diffuse_extinction[c] = DIFFUSE_SLANT * (water.absorption[c] + BACKWARD * rest);
     }
 }
 
@@ -35,15 +33,17 @@ struct physical_light physical_light(const struct optics_sky *sky, const struct 
     optics_sun_direction(&scene->sun, light.to_sun);
     optics_refract(light.to_sun, up, scene->medium.ior, light.sun_way);
     scatter(&light, &scene->medium);
+    double backward = optics_phase_backward(light.anisotropy);
     double height = light.to_sun[1], share = optics_fresnel_reflectance(height, scene->medium.ior);
     for (int c = 0; c < 3; c++) {
         light.sun[c] = sky->sun[c];
         light.sun_reflected[c] = sky->sun[c] * height * share;
         light.sun_below[c] = sky->sun[c] * height * (1 - share) / -light.sun_way[1];
         light.diffuse_below[c] = sky->irradiance[c] * DIFFUSE_ENTERS;
-        double depth = scene->settings.depth, straight = exp(-light.extinction[c] * depth / -light.sun_way[1]);
-        double below = light.sun_below[c] * -light.sun_way[1] * straight +
-                       light.diffuse_below[c] * exp(-light.diffuse_extinction[c] * depth);
+        /* what is scattered forwards still comes to the floor */
+        double lost = scene->settings.depth * (light.absorption[c] + light.scattering[c] * backward);
+        double below = light.sun_below[c] * -light.sun_way[1] * exp(lost / light.sun_way[1]) +
+                       light.diffuse_below[c] * exp(-lost * DIFFUSE_SLANT);
         light.floor_radiance[c] = scene->floor.color[c] / M_PI * below;
     }
     return light;

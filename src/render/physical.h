@@ -62,7 +62,7 @@ struct physical_light {
     double sun_reflected[3];      /* on a ceiling, of what flat water throws back */
     double sun_spread;            /* radians */
     double diffuse_below[3];      /* irradiance from all around on a horizontal surface just below */
-    double absorption[3], scattering[3], extinction[3], diffuse_extinction[3], anisotropy;
+    double absorption[3], scattering[3], extinction[3], anisotropy;
     double floor_radiance[3]; /* of the flat floor under flat water */
 };
 

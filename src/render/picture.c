@@ -4,10 +4,8 @@
 
 #include <stdlib.h>
 
-#define SAMPLES_MAX                                                                                                    \
-    (1 << 25)   /* that are drawn at once: 256 MiB of colour and depth, and as much again in some looks                \
-                 */
-#define STEP 16 /* pixels; tiles start at multiples, for looks that work on blocks of pixels */
+#define SAMPLES_MAX (1 << 24) /* that are drawn at once; the look that needs the most keeps some 64 bytes of each */
+#define STEP 16               /* pixels; tiles start at multiples, for looks that work on blocks of pixels */
 
 /* A square of pixels, from the picture's lower left corner. */
 struct area {
@@ -36,7 +34,7 @@ struct picture_tiles picture_cut(const struct picture *picture, const struct dpl
     int side = STEP;
     while (2 * side <= most && 4L * side * side * at_least(samples, 1) <= SAMPLES_MAX)
         side *= 2;
-    tiles.margin = (margin + STEP - 1) / STEP * STEP;
+    tiles.margin = at_most((margin + STEP - 1) / STEP * STEP, side / 4 / STEP * STEP);
     tiles.side = at_least(side - 2 * tiles.margin, STEP);
     tiles.columns = (width + tiles.side - 1) / tiles.side;
     tiles.rows = (height + tiles.side - 1) / tiles.side;

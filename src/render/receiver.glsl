@@ -40,15 +40,14 @@ vec3 receiver_caustics(vec3 point)
     return caustics != 0 ? light : vec3(1.0);
 }
 
-/* Radiance of a diffuse surface; `ambient` is its irradiance from all around, without what the water scatters out of
+/* Radiance of a diffuse surface; `ambient` is its irradiance from all around, with what the water has scattered out of
  * the sun's beam. */
 vec3 receiver_radiance(vec3 point, vec3 normal, vec3 reflectance, vec3 ambient)
 {
     float depth = max(-point.y, 0.0), facing = max(dot(normal, -sun_way), 0.0);
     float lit = facing * shadow_light(point, normal, to_sun, facing > 0.0);
-    vec3 straight = volume_sun(depth), scattered = volume_scattered(depth, straight);
-    vec3 sun = sun_below * straight * lit * receiver_caustics(point);
-    return reflectance / SKY_PI * (sun + ambient + scattered * (0.5 + 0.5 * normal.y));
+    vec3 sun = sun_below * volume_sun(depth) * lit * receiver_caustics(point);
+    return reflectance / SKY_PI * (sun + ambient);
 }
 #else
 /* The caustics of light that the water throws up to a point above it, in units of what flat water throws back; between
@@ -61,8 +60,8 @@ vec3 receiver_reflected(vec3 point)
     vec2 place = (point.xz / tile_size + 0.5 - reflected_window.xy) / reflected_window.z;
     vec2 slant = -to_sun.xz / to_sun.y * reflected_height / (count * tile_size); /* from a layer to the next */
     vec2 step_in = (slant - reflected_step.xy) / reflected_window.z, along_x = dFdx(place), along_y = dFdy(place);
-    vec2 below = place - slant / reflected_window.z * layer + step_in * lower;
-    vec2 above = place - slant / reflected_window.z * layer + step_in * upper;
+    place -= slant / reflected_window.z * height; /* where its light comes from at the first layer */
+    vec2 below = place + step_in * lower, above = place + step_in * upper;
     vec3 light = mix(textureGrad(reflected_texels, vec3(below, lower), along_x, along_y).rgb,
                      textureGrad(reflected_texels, vec3(above, upper), along_x, along_y).rgb, layer - lower);
     light = mix(light, vec3(1.0), clamp(-height, 0.0, 1.0)); /* at the water it is that of flat water */

@@ -21,7 +21,7 @@ static void draw_part(struct dpl_renderer *renderer, struct frame *frame, const 
     if (left >= right)
         return;
     renderer->gl->Scissor(left, 0, right - left, renderer->target.height);
-    set_wireframe(renderer->gl, frame->scene->render.wireframe);
+    set_wireframe(renderer->gl, frame->scene->render.wireframe && !scene_looks[look]->linear);
     scene_looks[look]->draw(renderer->look_states[look], frame);
     set_wireframe(renderer->gl, false);
 }
@@ -92,6 +92,14 @@ static bool begin_frame(struct dpl_renderer *renderer, const struct dpl_scene *s
     return true;
 }
 
+/* A look's radiance is drawn sample by sample, and then shown; but the colours of a difference are what the screen
+ * shows.
+ */
+static bool is_linear(const struct dpl_renderer *renderer, const struct dpl_scene *scene)
+{
+    return scene_looks[scene->render.look]->linear && renderer->compare.mode != DPL_COMPARE_DIFFERENCE;
+}
+
 /* Points the frame's view through a place of the pixel, -0.5 to 0.5 each way. */
 static void move_view(struct frame *frame, const double place[2])
 {
@@ -126,7 +134,7 @@ static bool draw_linear(struct dpl_renderer *renderer, struct frame *frame)
     }
     timer_pass(&renderer->timer, "tone");
     target_begin(gl, &renderer->target, black);
-    tone_show(gl, tone, samples, frame->camera, frame->scene->render.tone);
+    tone_show(tone, frame);
     return true;
 }
 
@@ -143,12 +151,14 @@ static bool draw_encoded(struct dpl_renderer *renderer, struct frame *frame)
 static bool draw_view(struct dpl_renderer *renderer, struct frame *frame, const struct camera_view *view)
 {
     const struct scene_render *render = &frame->scene->render;
-    /* the colours of a difference are what the screen shows */
-    bool linear = scene_looks[render->look]->linear && renderer->compare.mode != DPL_COMPARE_DIFFERENCE;
+    bool linear = is_linear(renderer, frame->scene);
     int columns = view->columns, rows = view->rows;
     frame->view = *view;
     frame->target = linear ? &renderer->tone.radiance : &renderer->target;
     move_view(frame, (const double[2]){0, 0});
+    if (linear && !renderer->gl->info.float_render)
+        return base_fail(renderer->log, DPL_REASON_UNSUPPORTED, "look %s: this device cannot draw to floats",
+                         scene_looks[render->look]->name);
     return target_resize(renderer->gl, &renderer->target, GL_RGBA8, columns, rows, linear ? 1 : render->samples) &&
            (!linear || tone_ready(renderer->gl, &renderer->tone, columns, rows, render->samples)) &&
            prepare_look(renderer, frame) && (linear ? draw_linear : draw_encoded)(renderer, frame);
@@ -199,7 +209,8 @@ static struct dpl_image *make_picture(struct dpl_renderer *renderer, const struc
     struct dpl_image *image = dpl_image_create(width, height, renderer->log);
     bool ok = image && begin_frame(renderer, scene, time, &frame);
     if (ok) {
-        struct picture_tiles tiles = picture_cut(&renderer->picture, renderer->gl, width, height, scene->render.samples,
+        int samples = is_linear(renderer, scene) ? 1 : scene->render.samples; /* at once */
+        struct picture_tiles tiles = picture_cut(&renderer->picture, renderer->gl, width, height, samples,
                                                  scene_looks[scene->render.look]->margin);
         ok = draw_tiles(renderer, &frame, &tiles, texture, image);
     }
@@ -220,8 +231,11 @@ struct dpl_image *dpl_renderer_picture(struct dpl_renderer *renderer, const stru
 struct dpl_image *dpl_renderer_radiance(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time,
                                         int width, int height)
 {
-    bool linear = scene_looks[scene->render.look]->linear;
+    const struct dpl_compare compare = renderer->compare; /* that is for pictures */
+    renderer->compare = (struct dpl_compare){0};
     struct gpu_texture *texture =
-        linear ? tone_radiance(&renderer->tone, scene->render.samples) : &renderer->target.color;
-    return make_picture(renderer, scene, time, width, height, texture);
+        is_linear(renderer, scene) ? tone_radiance(&renderer->tone, scene->render.samples) : &renderer->target.color;
+    struct dpl_image *image = make_picture(renderer, scene, time, width, height, texture);
+    renderer->compare = compare;
+    return image;
 }

@@ -25,11 +25,14 @@ out vec4 color;
 const float HORIZON = 0.9999985; /* depth: what is farther has that of sea_mesh.glsl */
 const float DEPTHS_EXACT = 100.0; /* m: beyond, they tell the floor from the surface no more */
 
-/* The water's slope where the pixel is: the mean, and the variance of what is finer than the pixel. */
+/* The water's slope where the pixel is: the mean, and the variance of what is finer than the pixel. Between the texels
+ * of the finest level slopes change evenly, and a pixel that is smaller sees only its part of that. */
 vec3 slope_here()
 {
     vec4 texel = texture(waves_texels, waves_place(position.xz));
-    return vec3(texel.yz, max(texel.w - dot(texel.yz, texel.yz), 0.0) + waves_roughness);
+    vec2 texels = fwidth(position.xz) / waves_spacing;
+    float finer = max(texel.w - dot(texel.yz, texel.yz), 0.0) * min(max(texels.x, texels.y), 1.0);
+    return vec3(texel.yz, finer + waves_roughness);
 }
 
 /* What a ray from the surface meets, by a layer: radiance and coverage, and how far off it is. */
@@ -154,11 +157,12 @@ void main()
     vec3 ray = view_ray(target);
     bool hidden = depth == 1.0 || (pane == 0 && texelFetch(direct_depth, pixel, 0).r < depth);
     position = surface_at(ray, depth);
+    vec3 slope = slope_here();
     if (!waves_cover(position.xz) || hidden || line_side(target) != side)
         discard;
     gl_FragDepth = depth;
     vec3 origin = pane != 0 ? eye + ray * view_plane(ray) : eye; /* from where sight comes to the surface */
-    vec3 slope = slope_here(), sight = position - origin, to_eye = -normalize(sight);
+    vec3 sight = position - origin, to_eye = -normalize(sight);
     vec3 normal = normalize(vec3(-slope.x, 1.0, -slope.y));
     /* Waves that turn away from the eye are seen at a grazing angle at most. */
     float facing = side * dot(normal, to_eye);
@@ -169,6 +173,6 @@ void main()
 #if !defined ABOVE && !defined PANE
     radiance = shafts_sight(radiance, eye, -to_eye, way, target);
 #endif
-    color = vec4(radiance, 1.0);
+    color = vec4(min(radiance, vec3(SKY_MOST)), 1.0);
 }
 #endif

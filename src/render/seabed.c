@@ -43,8 +43,11 @@ bool seabed_prepare(struct seabed *seabed, const struct frame *frame, const stru
             return false;
     if (seabed->relief.name && seabed->fingerprint == world->fingerprint)
         return true;
+    seabed->fingerprint = 0;
+    if (!upload_relief(seabed, frame, world))
+        return false;
     seabed->fingerprint = world->fingerprint;
-    return upload_relief(seabed, frame, world);
+    return true;
 }
 
 static void draw_mesh(const struct physical *physical, const struct frame *frame, enum physical_layer layer)

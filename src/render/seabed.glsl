@@ -21,17 +21,17 @@ void main()
 {
     float depth = texelFetch(mesh_depth, ivec2(gl_FragCoord.xy), 0).r;
     vec3 position = view_point(view_ray(target), depth, layer);
+    vec2 place = position.xz / relief_size + 0.5, wide = fwidth(position.xz);
+    vec2 slopes = texture(relief_texels, place).yz;
+    vec3 sandy = texture(sand, place).rgb;
     if (depth == 1.0 || !waves_cover(position.xz) || layer_leaves_out(position))
         discard;
     gl_FragDepth = depth;
-    vec2 place = position.xz / relief_size + 0.5;
-    vec2 slopes = texture(relief_texels, place).yz;
     vec3 normal = normalize(vec3(-slopes.x, 1.0, -slopes.y));
 #ifdef PATTERN
-    vec2 wide = fwidth(position.xz);
     vec3 reflectance = pattern_color(pattern, pattern_size, pattern_joint, floor_color, position.xz, wide);
 #else
-    vec3 reflectance = texture(sand, place).rgb;
+    vec3 reflectance = sandy;
 #endif
     vec3 ambient = texture(floor_ambient, (position.xz - ambient_square.xy) / ambient_square.z).rgb;
     color = vec4(receiver_radiance(position, normal, reflectance, ambient), 1.0);

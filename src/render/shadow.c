@@ -50,7 +50,8 @@ bool shadow_prepare(struct shadow *shadow, const struct frame *frame, const stru
         shadow->span[0] = lowest;
         shadow->span[1] = world->high[1] - lowest + 0.01;
     }
-    int side = casts ? physical->quality.shadow_side : 1;
+    int most = frame->gl->info.texture_max, side = casts ? physical->quality.shadow_side : 1;
+    side = side < most ? side : most;
     /* without caustics in it, what the water throws up lights little */
     int thrown_side = world->high[1] <= 0 ? 1 : frame->reflected ? side : (side + 3) / 4;
     return program_ready(frame->gl, &shadow->cast, "render/shadow_cast.glsl", "") &&

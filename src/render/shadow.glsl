@@ -44,7 +44,7 @@ vec2 shadow_spiral(inout vec2 direction, int i, int count)
 /* How far around a place the light of a point is spread that something `above` m higher may stand in. */
 float shadow_radius(vec3 point, float above)
 {
-    float wet = clamp(-point.y, 0.0, above);
+    float wet = clamp(-point.y, 0.0, max(above, 0.0));
     return (above - wet) * shadow_disc + wet * shadow_waves;
 }
 

@@ -25,11 +25,13 @@ const float BLUR = 0.5;
 vec3 light_here(vec3 point, float width, float random)
 {
     float count = float(textureSize(light_texels, 0).z), height = (1.0 + point.y / tile_depth) * count;
-    float layer = clamp(floor(height + random), 0.0, count - 1.0);
+    float layer = max(floor(height + random), 0.0);
+    if (layer >= count)
+        return vec3(1.0); /* above the last layer, the more the nearer the surface is */
     vec2 slant = sun_way.xz / -sun_way.y * tile_depth / tile_size;
     vec2 place = point.xz / tile_size + 0.5 + slant * (height - layer) / count;
     place = (place - light_window.xy - layer * light_step.xy) / light_window.z;
-    float texels = width * float(textureSize(light_texels, 0).x) / tile_size;
+    float texels = width * float(textureSize(light_texels, 0).x) / (light_window.z * tile_size);
     vec3 light = textureLod(light_texels, vec3(place, layer), max(log2(texels), 0.0)).rgb;
     return light_channels == 1 ? light.rrr : light;
 }

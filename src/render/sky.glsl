@@ -5,6 +5,7 @@ uniform vec3 to_sun, sun_irradiance;
 uniform float sun_spread;      /* radians: a normal distribution as wide as the disc */
 
 const float SKY_PI = 3.14159265;
+const float SKY_MOST = 60000.0; /* radiance that a picture of half floats, which end at 65504, has room for */
 const float SKY_HORIZON = 0.45; /* radius of its circle, in sides of the texture */
 
 /* Mean radiance around a direction, of a normal distribution of directions `spread` radians wide. */

@@ -9,8 +9,9 @@
 #include <stdlib.h>
 
 #define SIDE 256
-#define HORIZON 0.45 /* as in sky.glsl */
-#define LOWEST 0.004 /* upward part of the lowest direction: half a row of the sky above the horizon */
+#define HORIZON 0.45  /* as in sky.glsl */
+#define MOST 60000.0f /* half floats end at 65504 */
+#define LOWEST 0.004  /* upward part of the lowest direction: half a row of the sky above the horizon */
 
 static void texel_radiance(const struct optics_sky *sky, int i, int j, float *texel)
 {
@@ -22,7 +23,7 @@ static void texel_radiance(const struct optics_sky *sky, int i, int j, float *te
         direction[c] /= length;
     optics_sky_radiance(sky, direction, radiance);
     for (int c = 0; c < 3; c++)
-        texel[c] = (float)radiance[c];
+        texel[c] = fminf((float)radiance[c], MOST);
 }
 
 bool sky_texture_update(struct sky_texture *texture, struct dpl_gl *gl, const struct optics_sky *sky)

@@ -43,12 +43,14 @@ out vec4 color;
 
 void main()
 {
+    vec2 wide = fwidth(place);
     if (layer_leaves_out(position))
         discard;
     vec3 facing = normalize(normal);
-    if (two_sided != 0 && dot(facing, eye - position) < 0.0)
+    vec3 seen_from = layer == LAYER_MIRROR ? eye * vec3(1.0, -1.0, 1.0) : eye;
+    if (two_sided != 0 && dot(facing, seen_from - position) < 0.0)
         facing = -facing;
-    vec3 reflectance = pattern_color(pattern, pattern_size, pattern_joint, base, place, fwidth(place));
+    vec3 reflectance = pattern_color(pattern, pattern_size, pattern_joint, base, place, wide);
     color = vec4(receiver_radiance(position, facing, reflectance, ambient), 1.0);
 }
 #endif

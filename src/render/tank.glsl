@@ -58,6 +58,6 @@ vec3 tank_pane(vec3 start, vec3 ray, vec3 outside, out float way)
     bool leaves = optics_refract_out(ray, normal, ior, leaving);
     float share = leaves ? optics_fresnel_reflectance(dot(leaving, normal), ior) : 1.0, back_way;
     vec4 found = tank_find(start + ray * way, reflect(ray, normal), back_way);
-    vec3 back = found.rgb * exp(-extinction * back_way) + (1.0 - found.a) * outside;
+    vec3 back = found.rgb * exp(-extinction * back_way) + (1.0 - found.a) * ior * ior * outside;
     return mix(ior * ior * outside, back, share);
 }

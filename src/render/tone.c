@@ -25,7 +25,8 @@ void tone_add(struct dpl_gl *gl, struct tone *tone, int index)
     texture_bind(gl, &tone->radiance.color, 0);
     program_int(gl, &tone->add, "radiance", 0);
     program_float(gl, &tone->add, "share", 1.0 / (index + 1));
-    gl->Enable(GL_BLEND);
+    if (index > 0)
+        gl->Enable(GL_BLEND);
     gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     gpu_draw_screen(gl);
     gl->Disable(GL_BLEND);
@@ -36,16 +37,19 @@ struct gpu_texture *tone_radiance(struct tone *tone, int samples)
     return samples > 1 ? &tone->mean : &tone->radiance.color;
 }
 
-void tone_show(struct dpl_gl *gl, struct tone *tone, int samples, const struct scene_camera *camera, int curve)
+void tone_show(struct tone *tone, const struct frame *frame)
 {
+    struct dpl_gl *gl = frame->gl;
+    const struct scene_render *render = &frame->scene->render;
     double exposure[3];
     for (int c = 0; c < 3; c++)
-        exposure[c] = M_PI * exp2(camera->exposure) / fmax(camera->white[c], 1e-3);
+        exposure[c] = M_PI * exp2(frame->camera->exposure) / fmax(frame->camera->white[c], 1e-3);
     program_use(gl, &tone->show);
-    texture_bind(gl, tone_radiance(tone, samples), 0);
+    texture_bind(gl, tone_radiance(tone, render->samples), 0);
     program_int(gl, &tone->show, "radiance", 0);
     program_vec3(gl, &tone->show, "exposure", exposure);
-    program_int(gl, &tone->show, "filmic", curve == SCENE_TONE_FILMIC);
+    program_int(gl, &tone->show, "filmic", render->tone == SCENE_TONE_FILMIC);
+    program_vec2(gl, &tone->show, "corner", frame->view.left, frame->view.bottom);
     gpu_draw_screen(gl);
 }
 

@@ -5,6 +5,7 @@
 uniform sampler2D radiance;
 uniform vec3 exposure; /* what radiance is multiplied by */
 uniform int filmic;
+uniform vec2 corner; /* pixels, of what is drawn in the whole picture */
 out vec4 color;
 
 /* The contrast of the Academy's reference rendering and output transforms (ACES 1.0), channel by channel: the fit of
@@ -23,7 +24,7 @@ vec3 encode(vec3 linear)
 /* Half a step of 8 bits up or down, so that smooth water shows no bands (interleaved gradient noise, Jimenez 2014). */
 float dither()
 {
-    return (fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) - 0.5) / 255.0;
+    return (fract(52.9829189 * fract(dot(gl_FragCoord.xy + corner, vec2(0.06711056, 0.00583715)))) - 0.5) / 255.0;
 }
 
 void main()

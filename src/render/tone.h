@@ -6,7 +6,7 @@
 
 #include "gpu/program.h"
 #include "gpu/target.h"
-#include "scene/scene.h"
+#include "render/frame.h"
 
 /* All zero: none yet. */
 struct tone {
@@ -26,9 +26,9 @@ void tone_add(struct dpl_gl *gl, struct tone *tone, int index);
 /* What the samples so far come to. */
 struct gpu_texture *tone_radiance(struct tone *tone, int samples);
 
-/* Draws that of so many samples into the bound framebuffer as the camera takes it, through a curve (enum scene_tone),
+/* Draws that of all samples into the bound framebuffer as the frame's camera takes it, through the scene's curve,
  * encoded for the screen. */
-void tone_show(struct dpl_gl *gl, struct tone *tone, int samples, const struct scene_camera *camera, int curve);
+void tone_show(struct tone *tone, const struct frame *frame);
 
 void tone_finish(struct dpl_gl *gl, struct tone *tone);
 

@@ -28,7 +28,7 @@ static void solid_reflectance(const void *user, int triangle, double u, double v
 /* Of a sandy floor: the texel there. */
 static void sand_reflectance(const struct traced_world *traced, double x, double z, double out[3])
 {
-    const double size = traced->scene->settings.size, place[2] = {x / size + 0.5, z / size + 0.5};
+    const double size = traced->camera.size, place[2] = {x / size + 0.5, z / size + 0.5};
     int texel[2];
     for (int k = 0; k < 2; k++) {
         texel[k] = (int)((place[k] - floor(place[k])) * traced->sand_side);
@@ -42,7 +42,7 @@ static void sand_reflectance(const struct traced_world *traced, double x, double
 static void floor_reflectance(const void *user, double x, double z, double out[3])
 {
     const struct traced_world *traced = user;
-    const struct scene_floor *sea_floor = &traced->scene->floor;
+    const struct scene_floor *sea_floor = &traced->floor;
     struct world_part part = {.pattern = sea_floor->pattern, .pattern_size = sea_floor->pattern_size};
     float color[3], reflectance[3];
     const float place[2] = {(float)x, (float)z};
@@ -59,7 +59,8 @@ static void floor_reflectance(const void *user, double x, double z, double out[3
         out[c] = (double)reflectance[c];
 }
 
-static bool make_solids(struct traced_world *traced, double time, const struct dpl_log *log)
+static bool make_solids(struct traced_world *traced, const struct dpl_scene *scene, double time,
+                        const struct dpl_log *log)
 {
     const struct world *world = traced->solids;
     size_t vertices = (size_t)world->vertex_count + 1, triangles = (size_t)world->index_count / 3 + 1;
@@ -70,7 +71,7 @@ static bool make_solids(struct traced_world *traced, double time, const struct d
     if (!traced->positions || !traced->normals || !traced->casts || !traced->parts)
         return false;
     struct sway sway;
-    sway_now(traced->scene, time, &sway);
+    sway_now(scene, time, &sway);
     for (int i = 0; i < world->vertex_count; i++) {
         const struct world_vertex *vertex = world->vertices + i;
         float moved[3];
@@ -91,10 +92,9 @@ static bool make_solids(struct traced_world *traced, double time, const struct d
 }
 
 /* The relief's heights, and slopes, as a surface. */
-static bool make_relief(struct traced_world *traced, const struct dpl_log *log)
+static bool make_relief(struct traced_world *traced, double size, const struct dpl_log *log)
 {
     const struct world *world = traced->solids;
-    double size = traced->scene->settings.size;
     int side = world->relief_side;
     if (side == 0)
         return true;
@@ -116,9 +116,9 @@ bool traced_world_make(struct traced_world *traced, const struct dpl_scene *scen
                        const struct dpl_log *log)
 {
     traced_world_finish(traced);
-    traced->scene = scene;
+    traced->floor = scene->floor;
     traced->solids = solids;
-    if (!make_solids(traced, time, log) || !make_relief(traced, log))
+    if (!make_solids(traced, scene, time, log) || !make_relief(traced, scene->settings.size, log))
         return false;
     struct camera_world *camera = &traced->camera;
     const double half = periodic && scene->settings.edge == SCENE_EDGE_OPEN ? INFINITY : scene->settings.size / 2;

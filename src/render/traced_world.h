@@ -9,7 +9,7 @@
 /* All zero: none yet. What it points to stays the caller's. */
 struct traced_world {
     struct camera_world camera;
-    const struct dpl_scene *scene;
+    struct scene_floor floor; /* of the scene */
     const struct world *solids;
     float *positions, *normals; /* of the solids' vertices, carried by the current */
     bool *casts;                /* of each triangle */

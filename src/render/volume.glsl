@@ -19,14 +19,6 @@ vec3 volume_sun(float depth)
     return exp(-extinction * depth / -sun_way.y);
 }
 
-/* What the water has scattered out of the sun's beam, most of it still on its way down, at a depth on a horizontal
- * surface; `straight` is what is left of the beam. */
-vec3 volume_scattered(float depth, vec3 straight)
-{
-    vec3 taken = exp(-absorption * depth / -sun_way.y) - straight;
-    return 0.8 * -sun_way.y * sun_below * max(taken, 0.0);
-}
-
 /* Radiance that a metre of sight gains for each unit of irradiance from one direction, where light has gone `way`
  * metres in the water when it arrives; `cosine`: between the light's way and the way to the eye; `narrow`: 1, or the
  * mean cosine of light that comes from around the direction.
