@@ -92,11 +92,12 @@ vec3 glint(vec3 to_eye, vec2 slopes, float variance)
  * the floor, or where the water ends before it, what is behind a pane, or as much as the floor. */
 vec3 seen_below(vec4 found, vec3 ray, float way)
 {
-    float to_floor = (tile_floor - position.y) / min(ray.y, -1e-3), to_edge = planes.y;
+    float to_floor = (tile_floor - position.y) / min(ray.y, -1e-3), to_edge = planes.y, end;
     if (waves_extent > 0.0)
         to_edge = waves_extent / max(length(ray.xz), 1e-3);
     vec3 behind = pane != 0 && to_edge < to_floor ? ior * ior * sky_radiance(ray, 0.0) : floor_radiance;
-    way = mix(min(to_floor, to_edge), way, found.a);
+    end = min(to_floor, to_edge);
+    way = way < planes.y ? mix(end, way, found.a) : end; /* what is next to nothing is as far as what that stands for */
     return (found.rgb + (1.0 - found.a) * behind) * exp(-extinction * way) + volume_glow(0.0, ray, way);
 }
 
