@@ -10,6 +10,7 @@
 
 #define DIFFUSE_ENTERS 0.934 /* share of light from all around that flat water lets in (Preisendorfer 1976) */
 #define DIFFUSE_SLANT 1.2    /* m of its way for each m of depth (Gordon 1989: the inverse of its mean cosine) */
+#define BENDING 0.25         /* of a wave's slope: how far it turns the light that enters, 1 - 1 / index */
 
 static const double degree = M_PI / 180;
 
@@ -108,12 +109,13 @@ static void bind_maps(const struct frame *frame, const struct gpu_program *progr
     program_float(gl, program, "reflected_height", frame->reflected ? scene->caustics.reflected_height : 0);
 }
 
-/* How far the sun's disc and the waves spread the light that comes to a point, for each metre of height. */
 static void bind_shadow(const struct physical *physical, const struct frame *frame, const struct gpu_program *program)
 {
     struct dpl_gl *gl = frame->gl;
     const struct shadow *shadow = &physical->shadow;
+    /* m that light is spread for each metre of height */
     double disc = 2 * physical->light.sun_spread / physical->light.to_sun[1];
+    double bent = BENDING * physical->waves.slope;
     float square[4], thrown[4];
     for (int i = 0; i < 4; i++) {
         square[i] = (float)shadow->square[i];
@@ -123,7 +125,7 @@ static void bind_shadow(const struct physical *physical, const struct frame *fra
     program_vec4s(gl, program, "shadow_thrown_square", 1, thrown);
     program_vec2(gl, program, "shadow_span", shadow->span[0], shadow->span[1]);
     program_float(gl, program, "shadow_disc", disc);
-    program_float(gl, program, "shadow_waves", fmax(disc, SHADOW_WAVES));
+    program_float(gl, program, "shadow_waves", fmax(disc, bent));
     program_int(gl, program, "shadow_taps", physical->quality.shadow_taps);
     texture_bind(gl, &shadow->map.depth, UNIT_SHADOW);
     program_int(gl, program, "shadow_heights", UNIT_SHADOW);

@@ -26,8 +26,6 @@ struct physical_settings {
     bool caustics, shafts;
 };
 
-#define SHADOW_WAVES 0.02 /* m that waves spread light for each m of depth: a quarter of their slope */
-
 enum physical_layer { LAYER_DIRECT, LAYER_THROUGH, LAYER_MIRROR, LAYERS };
 
 /* Texture units, the same in every pass. */

@@ -6,22 +6,25 @@
 
 enum { UNIT_SURFACE };
 
-/* m that the surface stands above or below its rest at most: from points all over the tile, and something for what
- * lies between them. */
-static double find_reach(const struct frame *frame)
+/* How far and how steeply the surface departs from its rest, from points all over the tile; of how far, something more
+ * for what lies between them. */
+static void measure(struct waves *waves, const struct frame *frame)
 {
     enum { SIDE = 16 };
     double x[SIDE * SIDE], z[SIDE * SIDE], height[SIDE * SIDE], slopes[2][SIDE * SIDE], shifts[2][SIDE * SIDE],
-        area[SIDE * SIDE], size = frame->scene->settings.size, reach = 0;
+        area[SIDE * SIDE], size = frame->scene->settings.size, reach = 0, square = 0;
     for (int i = 0; i < SIDE * SIDE; i++) {
         x[i] = ((i % SIDE + 0.5) / SIDE - 0.5) * size;
         z[i] = ((i / SIDE + 0.5) / SIDE - 0.5) * size;
     }
     struct water_points points = {SIDE * SIDE, x, z, height, slopes[0], slopes[1], shifts[0], shifts[1], area};
     water_sample(water_models[frame->scene->medium.model], frame->setup, frame->time, &points);
-    for (int i = 0; i < SIDE * SIDE; i++)
+    for (int i = 0; i < SIDE * SIDE; i++) {
         reach = fmax(reach, fabs(height[i]));
-    return 2 * reach + 0.05;
+        square += slopes[0][i] * slopes[0][i] + slopes[1][i] * slopes[1][i];
+    }
+    waves->reach = 2 * reach + 0.05;
+    waves->slope = sqrt(square / (SIDE * SIDE));
 }
 
 bool waves_update(struct waves *waves, const struct frame *frame)
@@ -37,7 +40,7 @@ bool waves_update(struct waves *waves, const struct frame *frame)
     surface_gpu_bind(gl, surface, &waves->make, UNIT_SURFACE);
     gpu_draw_screen(gl);
     texture_make_mipmaps(gl, &waves->texels);
-    waves->reach = find_reach(frame);
+    measure(waves, frame);
     return true;
 }
 

@@ -9,6 +9,7 @@ struct waves {
     struct gpu_program make;
     struct gpu_texture texels; /* height, slopes along x and z, square of the slopes */
     double reach;              /* m that the water stands above or below its rest surface, at most */
+    double slope;              /* root mean square */
 };
 
 /* Makes it from the frame's surface. */
