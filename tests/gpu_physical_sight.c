@@ -222,27 +222,34 @@ static void through_pane(const double eye[3], const double place[3], int ahead, 
     physical_normalize(direction);
 }
 
-/* A ball in a tank, from outside it: through the pane that faces the eye, as through any plane. A texel of the layer is
- * 0.9°; the water's line is in it, too. */
+static const double ball_size[3] = {0.08, 0.08, 0.08};
+
+/* A ball in a tank, from outside it: through the pane that is between, as through any plane; the last through the one
+ * that faces the eye less. A texel of the layer is 0.9°; the water's line is in it, too. */
 static void check_pane(struct physical_fixture *fixture)
 {
-    static const double eyes[4][3] = {{0, -0.3, 1.5}, {0.9, -0.25, 1.4}, {-1.5, -0.1, 1.8}, {1.6, -0.35, 0.6}};
-    const double ball[3] = {0.1, -0.35, -0.1}, size[3] = {0.08, 0.08, 0.08};
+    static const struct {
+        double eye[3], ball[3];
+        int ahead;
+    } cases[] = {{{0, -0.3, 1.5}, {0.1, -0.35, -0.1}, 2},
+                 {{0.9, -0.25, 1.4}, {0.1, -0.35, -0.1}, 2},
+                 {{-1.5, -0.1, 1.8}, {0.1, -0.35, -0.1}, 2},
+                 {{1.6, -0.35, 0.6}, {0.1, -0.35, -0.1}, 0},
+                 {{1.2, -0.25, 1.3}, {0.35, -0.35, -0.25}, 0}};
     struct dpl_scene *scene = physical_scene(fixture, TANK);
     physical_bright_sky(fixture, scene);
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 5; i++) {
         double expected[3];
-        through_pane(eyes[i], ball, i == 3 ? 0 : 2, expected);
-        physical_look(scene, eyes[i], (const double[3]){0, -0.3, 0.1}, 35);
-        struct pair pair = draw_pair(fixture, scene, "sphere", ball, size);
+        through_pane(cases[i].eye, cases[i].ball, cases[i].ahead, expected);
+        physical_look(scene, cases[i].eye, (const double[3]){0, -0.3, 0.1}, 35);
+        struct pair pair = draw_pair(fixture, scene, "sphere", cases[i].ball, ball_size);
         expect_seen("a ball in a tank", scene, &pair, expected, 0.45, NEAR);
         finish_pair(&pair);
     }
     dpl_scene_destroy(scene);
 }
 
-/* In a side pane, which throws back all, it is seen as if it were as far beyond that; of it only the part that faces
- * the eye, so that the middle of that is off by up to half of the ball's 2.4°. */
+/* In a side pane, which throws back all, it is seen as if it were as far beyond that. */
 static void check_side_pane(struct physical_fixture *fixture)
 {
     const double eye[3] = {0.9, -0.25, 1.4}, ball[3] = {-0.35, -0.35, -0.25}, image[3] = {-0.65, -0.35, -0.25};
@@ -250,11 +257,30 @@ static void check_side_pane(struct physical_fixture *fixture)
     double expected[3];
     physical_bright_sky(fixture, scene);
     physical_look(scene, eye, (const double[3]){0, -0.3, 0.1}, 35);
-    struct pair pair = draw_pair(fixture, scene, "sphere", ball, (const double[3]){0.08, 0.08, 0.08});
+    struct pair pair = draw_pair(fixture, scene, "sphere", ball, ball_size);
     through_pane(eye, ball, 2, expected);
     expect_seen("a ball near a side pane", scene, &pair, expected, 0.45, NEAR);
     through_pane(eye, image, 2, expected);
-    expect_seen("its image in that", scene, &pair, expected, 1.5, NEAR);
+    expect_seen("its image in that", scene, &pair, expected, 0.45, NEAR);
+    finish_pair(&pair);
+    dpl_scene_destroy(scene);
+}
+
+/* From above the tank, through the surface: a ball, and its image in the pane behind it. */
+static void check_tank_from_above(struct physical_fixture *fixture)
+{
+    static const char *const names[2] = {"a ball in a tank from above", "its image from above"};
+    const double eye[3] = {0.2, 0.9, 1}, ball[3] = {0, -0.35, -0.3}, away[2] = {1.3, 1.7};
+    struct dpl_scene *scene = physical_scene(fixture, TANK);
+    physical_bright_sky(fixture, scene);
+    physical_look(scene, eye, (const double[3]){0.05, -0.1, -0.2}, 35);
+    struct pair pair = draw_pair(fixture, scene, "sphere", ball, ball_size);
+    for (int i = 0; i < 2; i++) {
+        double level = hypot(eye[0], away[i]), cross = physical_crossing(0.9, 0.35, level, PHYSICAL_IOR);
+        double expected[3] = {-eye[0] * cross / level, -0.9, -away[i] * cross / level};
+        physical_normalize(expected);
+        expect_seen(names[i], scene, &pair, expected, 0.45, NEAR);
+    }
     finish_pair(&pair);
     dpl_scene_destroy(scene);
 }
@@ -271,6 +297,7 @@ static void check(bool es)
     check_line(&fixture);
     check_pane(&fixture);
     check_side_pane(&fixture);
+    check_tank_from_above(&fixture);
     physical_finish(&fixture);
 }
 

@@ -95,7 +95,8 @@ static void draw_backdrop(const struct physical *physical, const struct frame *f
     program_use(gl, program);
     physical_bind(physical, frame, program);
     physical_bind_layers(physical, frame, program);
-    gl->Enable(GL_DEPTH_TEST);
+    if (!physical->sight.pane)
+        gl->Enable(GL_DEPTH_TEST);
     gpu_draw_screen(gl);
     gl->Disable(GL_DEPTH_TEST);
 }
@@ -186,7 +187,7 @@ static void draw_sight(struct physical *physical, const struct frame *frame)
 static void draw(void *state, const struct frame *frame)
 {
     struct physical *physical = state;
-    struct sight sights[2];
+    struct sight sights[SIGHTS_MAX];
     int count = sight_find(frame, sights);
     frame->gl->Disable(GL_SCISSOR_TEST);
     for (int i = 0; i < count; i++) {

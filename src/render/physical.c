@@ -70,6 +70,8 @@ static void bind_sight(const struct physical *physical, const struct frame *fram
     program_float(gl, program, "plane_index", sight->plane_index);
     program_int(gl, program, "pane", sight->pane);
     program_int(gl, program, "line_there", sight->line);
+    program_int(gl, program, "beside", sight->beside);
+    program_vec2(gl, program, "mirrors", sight->mirrors[0], sight->mirrors[1]);
 }
 
 static void bind_light(const struct physical *physical, const struct frame *frame, const struct gpu_program *program)

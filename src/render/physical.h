@@ -123,10 +123,14 @@ struct sight {
     double plane_index; /* refractive index beyond it to that before it */
     bool pane;          /* the plane is a tank's pane, and the eye outside */
     bool line;          /* the lens is half in the water: this is one of two sights */
+    bool beside;        /* of what others have drawn only what is seen through its pane changes */
+    double mirrors[2];  /* m from pane to pane of a tank along x and z, where they mirror what is in it; 0: not */
 };
 
-/* The sights that a picture needs, one or two; returns how many. */
-int sight_find(const struct frame *frame, struct sight sights[2]);
+#define SIGHTS_MAX 3
+
+/* The sights that a picture needs, one at least, in the order of drawing; returns how many. */
+int sight_find(const struct frame *frame, struct sight sights[SIGHTS_MAX]);
 
 /* The look's state. All zero at first. */
 struct physical {

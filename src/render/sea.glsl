@@ -25,14 +25,26 @@ out vec4 color;
 const float HORIZON = 0.9999985; /* depth: what is farther has that of sea_mesh.glsl */
 const float DEPTHS_EXACT = 100.0; /* m: beyond, they tell the floor from the surface no more */
 
-/* The water's slope where the pixel is: the mean, and the variance of what is finer than the pixel. Between the texels
+/* The water's slope that is seen at `position` and is at `xz`, which differ in an image: the mean, and the variance of what is finer than the pixel. Between the texels
  * of the finest level slopes change evenly, and a pixel that is smaller sees only its part of that. */
-vec3 slope_here()
+vec3 slope_here(vec2 xz)
 {
-    vec4 texel = texture(waves_texels, waves_place(position.xz));
+    vec4 texel = texture(waves_texels, waves_place(xz));
     vec2 texels = fwidth(position.xz) / waves_spacing;
     float finer = max(texel.w - dot(texel.yz, texel.yz), 0.0) * min(max(texels.x, texels.y), 1.0);
-    return vec3(texel.yz, finer + waves_roughness);
+    return vec3(mix(texel.yz, -texel.yz, notEqual(xz, position.xz)), finer + waves_roughness);
+}
+
+/* m along a ray from the surface to where bounded water ends: at a tank's pane, as its images go on at its sides;
+ * elsewhere about as far. */
+float to_edge(vec3 ray)
+{
+#ifdef PANE
+    float along = dot(plane.xyz, ray);
+    return max(waves_extent - sign(along) * dot(plane.xyz, position), 0.0) / max(abs(along), 1e-4);
+#else
+    return waves_extent > 0.0 ? waves_extent / max(length(ray.xz), 1e-3) : planes.y;
+#endif
 }
 
 /* What a ray from the surface meets, by a layer: radiance and coverage, and how far off it is. */
@@ -48,6 +60,9 @@ vec4 layer_color(sampler2D colors, sampler2D depths, int layer, vec3 ray, out fl
         bool far_floor = layer == LAYER_THROUGH && side > 0.0 && before > DEPTHS_EXACT;
         float level = far_floor ? tile_floor : shown.y;
         way = depth < 1.0 ? clamp((level - position.y) / ray.y, 0.0, planes.y) : planes.y;
+#ifdef PANE
+        way = min(way, to_edge(ray));
+#endif
         if (i == look_ups + (layer == LAYER_MIRROR ? 1 : 0))
             return texture(colors, place);
         float share = clamp(before / (before + distance(shown, position)), 0.0, 1.0);
@@ -92,11 +107,8 @@ vec3 glint(vec3 to_eye, vec2 slopes, float variance)
  * the floor, or where the water ends before it, what is behind a pane, or as much as the floor. */
 vec3 seen_below(vec4 found, vec3 ray, float way)
 {
-    float to_floor = (tile_floor - position.y) / min(ray.y, -1e-3), to_edge = planes.y, end;
-    if (waves_extent > 0.0)
-        to_edge = waves_extent / max(length(ray.xz), 1e-3);
-    vec3 behind = pane != 0 && to_edge < to_floor ? ior * ior * sky_radiance(ray, 0.0) : floor_radiance;
-    end = min(to_floor, to_edge);
+    float to_floor = (tile_floor - position.y) / min(ray.y, -1e-3), end = min(to_floor, to_edge(ray));
+    vec3 behind = pane != 0 && end < to_floor ? ior * ior * sky_radiance(ray, 0.0) : floor_radiance;
     way = way < planes.y ? mix(end, way, found.a) : end; /* what is next to nothing is as far as what that stands for */
     return (found.rgb + (1.0 - found.a) * behind) * exp(-extinction * way) + volume_glow(0.0, ray, way);
 }
@@ -158,8 +170,9 @@ void main()
     vec3 ray = view_ray(target);
     bool hidden = depth == 1.0 || (pane == 0 && texelFetch(direct_depth, pixel, 0).r < depth);
     position = surface_at(ray, depth);
-    vec3 slope = slope_here();
-    if (!waves_cover(position.xz) || hidden || line_side(target) != side)
+    vec2 xz = pane != 0 ? view_fold(position.xz) : position.xz;
+    vec3 slope = slope_here(xz);
+    if (!waves_cover(xz) || hidden || line_side(target) != side)
         discard;
     gl_FragDepth = depth;
     vec3 origin = pane != 0 ? eye + ray * view_plane(ray) : eye; /* from where sight comes to the surface */

@@ -21,6 +21,7 @@ void main()
 {
     float depth = texelFetch(mesh_depth, ivec2(gl_FragCoord.xy), 0).r;
     vec3 position = view_point(view_ray(target), depth, layer);
+    position.xz = view_fold(position.xz);
     vec2 place = position.xz / relief_size + 0.5, wide = fwidth(position.xz);
     vec2 slopes = texture(relief_texels, place).yz;
     vec3 sandy = texture(sand, place).rgb;

@@ -13,7 +13,8 @@ void main()
     float spacing;
     vec2 xz = rings_place(spacing);
     float level = log2(max(spacing * float(textureSize(relief_texels, 0).x) / relief_size, 1.0));
-    vec3 position = vec3(xz.x, tile_floor + textureLod(relief_texels, xz / relief_size + 0.5, level).x, xz.y);
+    vec2 place = view_fold(xz) / relief_size + 0.5;
+    vec3 position = vec3(xz.x, tile_floor + textureLod(relief_texels, place, level).x, xz.y);
     gl_Position = view_projection * vec4(view_apparent(position, layer, -1.0), 1.0);
 }
 #else

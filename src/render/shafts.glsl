@@ -66,6 +66,7 @@ void main()
         /* steps as short near the eye as the texels are small there: way = reach x² */
         float x = (float(i) + random.x) / float(steps), way = reach * x * x, step_way = 2.0 * reach * x / float(steps);
         vec3 point = start + ray * way;
+        point.xz = view_fold(point.xz);
         float width = max(way * pixel, 0.05 * step_way);
         float whole = way + max(-point.y, 0.0) / -sun_way.y;
         vec3 more = solid_before_sun(point)

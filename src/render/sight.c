@@ -1,4 +1,4 @@
-/* From where the eye sees the water: from above it, from in it, half and half, or through a tank's pane. */
+/* From where the eye sees the water: from above it, from in it, half and half, or through a tank's panes. */
 #include "render/physical.h"
 
 #include <math.h>
@@ -45,30 +45,46 @@ static struct sight through_surface(const struct frame *frame, double side, bool
         .side = side, .plane = {0, side, 0, side * level}, .plane_index = side > 0 ? ior : 1 / ior, .line = line};
 }
 
-/* A sight through the pane that faces the eye the most. */
-static struct sight through_pane(const struct frame *frame)
+/* A sight through one of the panes across x or z. */
+static struct sight through_pane(const struct frame *frame, int axis)
 {
-    const double *eye = frame->camera->position;
-    double extent = waves_extent(frame);
-    int axis = fabs(eye[0]) > fabs(eye[2]) ? 0 : 2;
     struct sight sight = {.side = -1, .plane_index = frame->scene->medium.ior, .pane = true};
-    sight.plane[axis] = eye[axis] > 0 ? 1 : -1;
-    sight.plane[3] = extent;
+    sight.plane[axis] = frame->camera->position[axis] > 0 ? 1 : -1;
+    sight.plane[3] = waves_extent(frame);
     return sight;
 }
 
-int sight_find(const struct frame *frame, struct sight sights[2])
+/* Nearly all that has come into a tank through one pane, or from above, is thrown back whole by the panes at its side.
+ */
+static void find_mirrors(const struct frame *frame, struct sight *sight)
 {
-    bool above, below;
-    find_lens(frame, &above, &below);
-    if (frame->scene->settings.edge == SCENE_EDGE_GLASS && !over_water(frame, frame->camera->position)) {
-        sights[0] = through_pane(frame);
-        return 1;
-    }
+    bool comes_in = frame->scene->settings.edge == SCENE_EDGE_GLASS && (sight->pane || sight->side > 0);
+    for (int a = 0; a < 2; a++)
+        sight->mirrors[a] = comes_in && sight->plane[2 * a] == 0 ? 2 * waves_extent(frame) : 0;
+}
+
+int sight_find(const struct frame *frame, struct sight sights[SIGHTS_MAX])
+{
+    const double *eye = frame->camera->position;
+    bool glass = frame->scene->settings.edge == SCENE_EDGE_GLASS, above, below;
     int count = 0;
+    find_lens(frame, &above, &below);
+    if (glass && !over_water(frame, eye)) {
+        above = eye[1] > 0;
+        below = false;
+    }
     if (above)
         sights[count++] = through_surface(frame, 1, below);
     if (below)
         sights[count++] = through_surface(frame, -1, above);
+    for (int axis = 0; axis <= 2; axis += 2) {
+        if (!glass || fabs(eye[axis]) < waves_extent(frame))
+            continue;
+        sights[count] = through_pane(frame, axis);
+        sights[count].beside = count > 0;
+        count++;
+    }
+    for (int i = 0; i < count; i++)
+        find_mirrors(frame, sights + i);
     return count;
 }

@@ -3,6 +3,7 @@
 #include "render/waves.glsl"
 
 uniform int layer;
+uniform ivec2 image; /* in a tank's panes: view_image() */
 
 #ifdef VERTEX
 #include "render/solid_vertex.glsl"
@@ -20,7 +21,7 @@ void main()
     base = vertex_color;
     ambient = vertex_ambient;
     place = vertex_place;
-    gl_Position = view_projection * vec4(view_apparent(position, layer, -1.0), 1.0);
+    gl_Position = view_projection * vec4(view_apparent(view_image(position, image), layer, -1.0), 1.0);
     /* What lies so far on the other side that no triangle reaches over from it is put beyond the picture. */
 #ifdef WET
     bool away = position.y > cut;
@@ -47,7 +48,7 @@ void main()
     if (layer_leaves_out(position))
         discard;
     vec3 facing = normalize(normal);
-    vec3 seen_from = layer == LAYER_MIRROR ? eye * vec3(1.0, -1.0, 1.0) : eye;
+    vec3 seen_from = view_image(layer == LAYER_MIRROR ? eye * vec3(1.0, -1.0, 1.0) : eye, image);
     if (two_sided != 0 && dot(facing, seen_from - position) < 0.0)
         facing = -facing;
     vec3 reflectance = pattern_color(pattern, pattern_size, pattern_joint, base, place, wide);

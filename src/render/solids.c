@@ -108,19 +108,13 @@ static void draw_part(struct dpl_gl *gl, const struct world_part *part)
                      (const void *)((size_t)part->first * sizeof(unsigned)));
 }
 
-void solids_draw(const struct physical *physical, const struct frame *frame, enum physical_layer layer, bool wet)
+static void draw_parts(const struct physical *physical, const struct frame *frame, const struct gpu_program *program,
+                       bool wet)
 {
     struct dpl_gl *gl = frame->gl;
-    const struct gpu_program *program = physical->solids.programs + wet;
     const struct world *world = &physical->world;
-    if (world->index_count == 0)
-        return;
-    program_use(gl, program);
-    physical_bind(physical, frame, program);
-    program_int(gl, program, "layer", (int)layer);
     const float reach = (float)physical->waves.reach;
     bool endless = waves_extent(frame) == 0;
-    gl->BindVertexArray(physical->solids.array);
     for (int i = 0; i < world->part_count; i++) {
         const struct world_part *part = world->parts + i;
         const struct part_extent *extent = physical->solids.extents + i;
@@ -132,6 +126,26 @@ void solids_draw(const struct physical *physical, const struct frame *frame, enu
         program_vec3(gl, program, "pattern_joint", part->joint);
         program_int(gl, program, "two_sided", part->two_sided);
         draw_part(gl, part);
+    }
+}
+
+void solids_draw(const struct physical *physical, const struct frame *frame, enum physical_layer layer, bool wet)
+{
+    struct dpl_gl *gl = frame->gl;
+    const struct gpu_program *program = physical->solids.programs + wet;
+    const double *mirrors = physical->sight.mirrors;
+    if (physical->world.index_count == 0)
+        return;
+    program_use(gl, program);
+    physical_bind(physical, frame, program);
+    program_int(gl, program, "layer", (int)layer);
+    gl->BindVertexArray(physical->solids.array);
+    int x_most = wet && mirrors[0] > 0, z_most = wet && mirrors[1] > 0;
+    for (int x = -x_most; x <= x_most; x++) {
+        for (int z = -z_most; z <= z_most; z++) {
+            program_ivec2(gl, program, "image", x, z);
+            draw_parts(physical, frame, program, wet);
+        }
     }
 }
 

@@ -24,6 +24,24 @@ const int pane = 0;
 uniform int pane;
 #endif
 
+/* m from pane to pane of a tank along x and z, where they mirror what is in it; 0: they do not. An image in a pane is as
+ * far beyond it as what it shows is before it. */
+uniform vec2 mirrors;
+
+/* The image of a point in the pane at the greater end of an axis (1), at the lesser (-1), or in none (0). */
+vec3 view_image(vec3 point, ivec2 panes)
+{
+    vec2 images = vec2(panes);
+    point.xz = mix(point.xz, images * mirrors - point.xz, abs(images));
+    return point;
+}
+
+/* Where in the tank that stands of which an image is seen at a place; what is seen straight stands at its place. */
+vec2 view_fold(vec2 xz)
+{
+    return xz - 2.0 * sign(xz) * max(abs(xz) - 0.5 * mirrors, 0.0) * step(1e-6, mirrors);
+}
+
 /* How far off along the plane sight of a point passes it: `level` m from the foot of the eye to that of the point,
  * `before` and `beyond` from the plane to each. By Snell's law s / |s, before| = index (level - s) / |level - s,
  * beyond|, whose left side less its right one grows with s; Newton's method from `guess`, a share of the level, kept
