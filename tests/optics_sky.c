@@ -110,50 +110,6 @@ static void irradiance_is_the_integral(void **state)
     }
 }
 
-/* On surfaces turned every way, harmonics give what a plain sum gives, as far as second order can (a hundredth of the
- * largest for even light, a few for the glow round the sun: Ramamoorthi & Hanrahan 2001). */
-static void harmonics_give_irradiance(void **state)
-{
-    struct fixture *fixture = *state;
-    for (int model = SKY_CLEAR; model <= SKY_OVERCAST; model++) {
-        fixture->settings.model = model;
-        make(fixture);
-        for (double elevation = -90; elevation <= 90; elevation += 30) {
-            for (double azimuth = 0; azimuth < 360; azimuth += 60) {
-                double normal[3], plain[3], smooth[3];
-                direction_of(elevation, azimuth, normal);
-                plain_irradiance(&fixture->sky, normal, false, plain);
-                optics_sky_irradiance((const double(*)[3])fixture->sky.harmonics, normal, smooth);
-                for (int c = 0; c < 3; c++)
-                    assert_true(fabs(smooth[c] - plain[c]) < 0.04 * fixture->sky.irradiance[c]);
-            }
-        }
-    }
-}
-
-/* Each harmonic is the integral of the sky times its polynomial. */
-static void harmonics_are_integrals(void **state)
-{
-    enum { RINGS = 200, TURNS = 200 };
-    struct fixture *fixture = *state;
-    double sums[9] = {0};
-    fixture->sun.elevation = 20;
-    make(fixture);
-    for (int i = 0; i < RINGS * TURNS; i++) {
-        double y = 1 - (i / TURNS + 0.5) * 2 / RINGS, level = sqrt(1 - y * y), turn = 2 * M_PI * (i % TURNS) / TURNS;
-        double x = level * cos(turn), z = level * sin(turn), radiance[3];
-        optics_sky_radiance(&fixture->sky, (const double[3]){x, y, z}, radiance);
-        double light = radiance[2] * 4 * M_PI / (RINGS * TURNS);
-        const double values[9] = {1, y, z, x, x * y, y * z, 3 * z * z - 1, x * z, x * x - y * y};
-        for (int n = 0; n < 9; n++)
-            sums[n] += light * values[n];
-    }
-    static const double scale[9] = {1. / 4, 3. / 4, 3. / 4, 3. / 4, 15. / 4, 15. / 4, 5. / 16, 15. / 4, 15. / 16};
-    for (int n = 0; n < 9; n++)
-        assert_true(fabs(fixture->sky.harmonics[n][2] - sums[n] * sqrt(scale[n] / M_PI)) <
-                    0.005 * fixture->sky.harmonics[0][2]);
-}
-
 /* What is seen just above the horizon has nothing of the ground in it. */
 static void the_horizon_is_sharp(void **state)
 {
@@ -318,10 +274,8 @@ int main(void)
         cmocka_unit_test(air_mass_is_that_of_the_tables),
         cmocka_unit_test(air_takes_away_what_is_measured),
         cmocka_unit_test(air_that_takes_nothing_keeps_the_light),
-        cmocka_unit_test_setup_teardown(harmonics_are_integrals, setup, teardown),
         cmocka_unit_test_setup_teardown(the_horizon_is_sharp, setup, teardown),
         cmocka_unit_test_setup_teardown(irradiance_is_the_integral, setup, teardown),
-        cmocka_unit_test_setup_teardown(harmonics_give_irradiance, setup, teardown),
         cmocka_unit_test_setup_teardown(noon_is_blue, setup, teardown),
         cmocka_unit_test_setup_teardown(a_low_sun_is_red, setup, teardown),
         cmocka_unit_test_setup_teardown(the_sky_goes_round, setup, teardown),

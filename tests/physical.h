@@ -1,7 +1,8 @@
 /* tests/physical.h: what the tests of the physical look share: scenes under an even sky of known radiance, pictures in
  * linear light, and where a pixel looks.
  *
- * All expected values are worked out here from the laws of optics, not by the look's shaders. */
+ * All expected values are worked out here from the laws of optics, not by the look's shaders; but for the
+ * glow of murky water, which is held against the look's own sum (gpu_physical_water.c). */
 #ifndef TESTS_PHYSICAL_H
 #define TESTS_PHYSICAL_H
 

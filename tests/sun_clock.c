@@ -26,8 +26,8 @@ static double arc(double elevation, double bearing, const double wanted[2])
 }
 
 /* Elevation above the horizon, with refraction, and bearing: the example of Reda & Andreas 2004 (table A5.1); results
- * of NREL's program that they wrote (Hemphill, Philadelphia, Kyiv; without refraction, which is added here: 0.04°,
- * 0.01°, 0.01°); three places of the sun that came with satellites' pictures. */
+ * of NREL's program (Hemphill; Philadelphia and Kyiv, without refraction, which is added here: 0.01°); three places of
+ * the sun that came with satellites' pictures, the last with the hour to the minute only. */
 static void the_sun_stands_where_others_say(void **state)
 {
     static const struct {
@@ -35,7 +35,7 @@ static void the_sun_stands_where_others_say(void **state)
         double wanted[2];
     } table[] = {
         {{{2003, 10, 17}, 12.508333, -7, 39.742476, -105.1786}, {39.88838, 194.34024}},
-        {{{2003, 2, 1}, 8.983333, -6, 31.34635, -93.82015}, {20.19 + 0.04, 126.171556}},
+        {{{2003, 2, 1}, 8.983333, -6, 31.34635, -93.82015}, {20.19, 126.171556}},
         {{{1976, 7, 4}, 12, -4, 39.949444, -75.150278}, {68.044698 + 0.01, 136.392115}},
         {{{2022, 8, 24}, 12, 3, 50.4501, 30.5234}, {48.69325 + 0.01, 157.23991}},
         {{{2002, 5, 25}, 6.230556, 0, 33.334889, 69.922135}, {71.266, 127.482}},
@@ -46,7 +46,7 @@ static void the_sun_stands_where_others_say(void **state)
     for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
         double elevation, bearing;
         read_moment(&table[i].moment, &elevation, &bearing);
-        if (!(arc(elevation, bearing, table[i].wanted) < 0.05))
+        if (!(arc(elevation, bearing, table[i].wanted) < (i < 6 ? 0.02 : 0.05)))
             fail_msg("%zu: %.4f %.4f instead of %.4f %.4f", i, elevation, bearing, table[i].wanted[0],
                      table[i].wanted[1]);
     }

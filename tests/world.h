@@ -4,6 +4,7 @@
 
 #include "support.h"
 
+#include "scene/sway.h"
 #include "scene/world.h"
 
 struct fixture {
@@ -12,6 +13,15 @@ struct fixture {
     struct world world;
     char folder[64];
 };
+
+/* Where the water has carried a vertex at that time, m from its place at rest. */
+static inline void world_sway(const struct dpl_scene *scene, const struct world_vertex *vertex, double time,
+                              float moved[3])
+{
+    struct sway sway;
+    sway_now(scene, time, &sway);
+    sway_move(&sway, vertex->position, vertex->sway, moved);
+}
 
 static inline int setup(void **state)
 {

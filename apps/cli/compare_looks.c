@@ -1,7 +1,6 @@
 /* `dapple compare --look`: the picture that the scene's own look makes, against that of another one. */
 #include "cli/clock.h"
 #include "cli/compare.h"
-#include "cli/interrupt.h"
 #include "cli/json.h"
 #include "cli/output.h"
 #include "cli/sheet.h"
@@ -54,7 +53,7 @@ static bool go_on(void *user, double done)
 {
     struct looks *looks = user;
     progress_step(&looks->progress, looks->made + done);
-    return !interrupt_caught() && clock_seconds() < looks->ends;
+    return clock_seconds() < looks->ends;
 }
 
 /* Of each box that lies in the image; what is left over at the right and below does not count. */
@@ -118,16 +117,31 @@ static void draw_picture(struct dpl_image *sheet, struct box box, const struct p
     sheet_text(sheet, box.x, box.y - CANVAS_LINE, "%s, made in %.3g s", picture->look, picture->seconds);
 }
 
+/* The first of three pictures side by side; small ones are enlarged. */
+static struct box first_box(const struct options *options)
+{
+    int enlarged = (PICTURE_LEAST + options->size[0] - 1) / options->size[0];
+    return (struct box){SHEET_MARGIN, SHEET_MARGIN + 2 * CANVAS_LINE, options->size[0] * enlarged,
+                        options->size[1] * enlarged};
+}
+
+static int sheet_width(struct box box)
+{
+    return 4 * SHEET_MARGIN + 3 * box.width + SHEET_SCALE;
+}
+
+static int sheet_height(struct box box)
+{
+    return box.y + box.height + SHEET_MARGIN;
+}
+
 /* The look's picture, the one that it is held against, and how much brighter (red) it is than that. */
 static struct dpl_image *draw_sheet(const struct looks *looks)
 {
     const struct options *options = looks->session.options;
     const struct dpl_measure *measure = &looks->measure;
-    int enlarged = (PICTURE_LEAST + options->size[0] - 1) / options->size[0];
-    struct box box = {SHEET_MARGIN, SHEET_MARGIN + 2 * CANVAS_LINE, options->size[0] * enlarged,
-                      options->size[1] * enlarged};
-    struct dpl_image *sheet = dpl_image_create(4 * SHEET_MARGIN + 3 * box.width + SHEET_SCALE,
-                                               box.y + box.height + SHEET_MARGIN, &looks->session.log->log);
+    struct box box = first_box(options);
+    struct dpl_image *sheet = dpl_image_create(sheet_width(box), sheet_height(box), &looks->session.log->log);
     if (!sheet)
         return NULL;
     canvas_fill(sheet, (struct box){0, 0, sheet->width, sheet->height}, sheet_paper);
@@ -210,6 +224,12 @@ static bool run(struct looks *looks)
     if (options->size[0] < BOX || options->size[1] < BOX)
         return fail_input(log, "--size: too small to compare: \"%dx%d\" (accepted: from %dx%d)", options->size[0],
                           options->size[1], BOX, BOX);
+    if (options->output &&
+        (sheet_width(first_box(options)) > DPL_IMAGE_SIDE_MAX || sheet_height(first_box(options)) > DPL_IMAGE_SIDE_MAX))
+        return fail_input(log,
+                          "--size: too large for three pictures side by side: \"%dx%d\" (accepted: a sheet of at "
+                          "most %d pixels a side)",
+                          options->size[0], options->size[1], DPL_IMAGE_SIDE_MAX);
     if (!choose_looks(looks) || (options->output && !output_plan(&output, options, "compare", 0, log)) ||
         !session_start(&looks->session, true) || !make_and_measure(looks) ||
         (options->output && !write_sheet(looks, &output)))

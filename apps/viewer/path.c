@@ -8,6 +8,7 @@
 #include <string.h>
 
 #define SAME_TIME 0.005 /* s: keys that are nearer are the same one */
+#define KEYS_MAX 16     /* that a scene has room for */
 
 /* Takes the sections [camera.N] from `*next` on, one a call: its name and time; false past the last. */
 static bool next_key(const struct dpl_scene *scene, int *next, const char **name, double *time)
@@ -47,19 +48,22 @@ static void copy(struct dpl_scene *scene, const char *to, const char *key)
         dpl_scene_set(scene, name, value);
 }
 
-/* The key at that time, or one that is not there yet: the numbers count on from the last. */
+/* The key at that time, or one that is not there yet. */
 static void choose_key(const struct dpl_scene *scene, double time, char chosen[32])
 {
     const char *name;
     double other;
-    int number = 0;
+    bool taken[KEYS_MAX + 2] = {false};
+    int number = 1;
     for (int next = 0; next_key(scene, &next, &name, &other);) {
         snprintf(chosen, 32, "%s", name);
         if (fabs(other - time) < SAME_TIME)
             return;
-        number = atoi(name + strlen("camera."));
+        taken[atoi(name + strlen("camera."))] = true;
     }
-    snprintf(chosen, 32, "camera.%d", number + 1);
+    while (number <= KEYS_MAX && taken[number])
+        number++;
+    snprintf(chosen, 32, "camera.%d", number);
 }
 
 bool path_add_key(struct dpl_scene *scene, double time)

@@ -43,7 +43,8 @@ struct dpl_param {
  * Returns false where `size` is too small. */
 DPL_API bool dpl_param_format(const struct dpl_param *param, const void *values, char *text, size_t size);
 
-/* Writes what the parameter accepts, for people: "0 to 90 degrees", "one of: sines, collard". Cut off at `size`. */
+/* Writes what the parameter accepts, for people: "number from 0 to 90 degrees", "one of sines, collard". Cut off at
+ * `size`. */
 DPL_API void dpl_param_describe(const struct dpl_param *param, char *text, size_t size);
 
 /* Writes `did you mean "render"? ` where one of the names is what a mistyped word is likely to stand for, else nothing.

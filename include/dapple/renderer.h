@@ -48,9 +48,9 @@ DPL_API struct dpl_image *dpl_renderer_map(struct dpl_renderer *renderer, const 
 DPL_API struct dpl_image *dpl_renderer_slice(struct dpl_renderer *renderer, const struct dpl_scene *scene, double time,
                                              int slice);
 
-/* A technique that refines its map (struct dpl_entry) calls `step` after each step of it, with the share that is done,
- * 0 to 1; where that returns false the map is taken as it is, and a later call of the same scene and time goes on from
- * there. NULL: every map is finished. */
+/* A technique that refines its map (struct dpl_entry), or a look that refines its picture (`path-traced`), calls `step`
+ * after each step, with the share that is done, 0 to 1; where that returns false map or picture is taken as it is, and
+ * a later call of the same scene and time goes on from there. NULL: all are finished. */
 DPL_API void dpl_renderer_progress(struct dpl_renderer *renderer, bool (*step)(void *user, double done), void *user);
 
 /* What chance adds to the last map, as a share of the map: RMS against RMS. 0: nothing, or not known. Where the last

@@ -15,7 +15,8 @@ extern "C" {
 
 struct dpl_scene;
 
-/* A section as controls and documentation see it. Valid until the scene is loaded anew or destroyed. */
+/* A section as controls and documentation see it. Valid until a section is taken away, or the scene is loaded anew or
+ * destroyed. */
 struct dpl_section {
     const char *name; /* as in scene text, without brackets */
     const char *help; /* one line */
@@ -48,7 +49,8 @@ DPL_API bool dpl_scene_read(struct dpl_scene *scene, const char *name, const cha
  * keys is set; N is 1 to 64, and 1 to 16; NAME is a word of letters, digits and `-`, and there may be 64 objects. */
 DPL_API bool dpl_scene_set(struct dpl_scene *scene, const char *key, const char *value);
 
-/* Takes away a section that came into being so, "wave.3". Where it is not there, nothing happens. */
+/* Takes away a section that came into being so, "wave.3". True also where a wave or a key is not there; false
+ * (logged) for an object that is not there and for what is always there. */
 DPL_API bool dpl_scene_remove(struct dpl_scene *scene, const char *section);
 
 /* Writes one value as text. False (logged) where the key is unknown or `size` is too small. */

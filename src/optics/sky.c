@@ -1,5 +1,6 @@
 #include "optics/sky.h"
 
+#include "base/hash.h"
 #include "base/log.h"
 #include "optics/sky_parts.h"
 
@@ -38,21 +39,13 @@ void sky_direction(double column, double row, double direction[3])
     direction[2] = sin(zenith) * sin(azimuth);
 }
 
-/* FNV-1a (Fowler, Noll & Vo 1991). */
-static uint64_t hash(uint64_t value, const void *bytes, size_t length)
-{
-    for (size_t i = 0; i < length; i++)
-        value = (value ^ ((const unsigned char *)bytes)[i]) * 1099511628211u;
-    return value;
-}
-
 static uint64_t fingerprint_of(const struct optics_sky_settings *s, const struct optics_sun *sun)
 {
     double numbers[12] = {s->model,     s->turbidity, s->sun,  s->brightness,      s->ground[0],
                           s->ground[1], s->ground[2], s->turn, sun->angular_radius};
     optics_sun_direction(sun, numbers + 9);
-    uint64_t value = hash(14695981039346656037u, numbers, sizeof numbers);
-    return hash(value, s->environment, strlen(s->environment));
+    uint64_t value = hash_bytes(hash_start, numbers, sizeof numbers);
+    return hash_bytes(value, s->environment, strlen(s->environment));
 }
 
 static bool make_room(struct optics_sky *sky, const struct dpl_log *log)
@@ -108,39 +101,6 @@ static void make_ground(struct optics_sky *sky, const struct optics_sky_settings
         sky->texels[i] = ground[i % 3];
 }
 
-/* Real spherical harmonics, all with positive signs. */
-static void harmonics_at(const double d[3], double values[9])
-{
-    const double x = d[0], y = d[1], z = d[2];
-    const double basis[9] = {0.282095,
-                             0.488603 * y,
-                             0.488603 * z,
-                             0.488603 * x,
-                             1.092548 * x * y,
-                             1.092548 * y * z,
-                             0.315392 * (3 * z * z - 1),
-                             1.092548 * x * z,
-                             0.546274 * (x * x - y * y)};
-    memcpy(values, basis, sizeof basis);
-}
-
-static void make_harmonics(struct optics_sky *sky)
-{
-    memset(sky->harmonics, 0, sizeof sky->harmonics);
-    for (int j = 0; j < SKY_ROWS; j++) {
-        double angle = (cos(M_PI * j / SKY_ROWS) - cos(M_PI * (j + 1) / SKY_ROWS)) * 2 * M_PI / SKY_COLUMNS; /* sr */
-        for (int i = 0; i < SKY_COLUMNS; i++) {
-            const float *texel = sky->texels + (j * SKY_COLUMNS + i) * 3;
-            double direction[3], values[9];
-            sky_direction(i + 0.5, j + 0.5, direction);
-            harmonics_at(direction, values);
-            for (int n = 0; n < 9; n++)
-                for (int c = 0; c < 3; c++)
-                    sky->harmonics[n][c] += values[n] * (double)texel[c] * angle;
-        }
-    }
-}
-
 bool optics_sky_make(struct optics_sky *sky, const struct optics_sky_settings *settings, const struct optics_sun *sun,
                      const struct dpl_log *log)
 {
@@ -165,7 +125,6 @@ bool optics_sky_make(struct optics_sky *sky, const struct optics_sky_settings *s
         sky->texels[i] *= (float)settings->brightness;
     make_sun(sky, settings, sun, to_sun);
     make_ground(sky, settings, to_sun);
-    make_harmonics(sky);
     sky->fingerprint = fingerprint;
     return true;
 }
@@ -184,19 +143,6 @@ void optics_sky_radiance(const struct optics_sky *sky, const double direction[3]
         const float *high = sky->texels + j * SKY_COLUMNS * 3 + c, *low = sky->texels + below * SKY_COLUMNS * 3 + c;
         radiance[c] = ((double)high[i * 3] * (1 - on) + (double)high[next * 3] * on) * (1 - down) +
                       ((double)low[i * 3] * (1 - on) + (double)low[next * 3] * on) * down;
-    }
-}
-
-void optics_sky_irradiance(const double harmonics[9][3], const double normal[3], double irradiance[3])
-{
-    static const double kept[3] = {M_PI, 2 * M_PI / 3, M_PI / 4}; /* of each order, by a cosine's lobe */
-    double values[9];
-    harmonics_at(normal, values);
-    for (int c = 0; c < 3; c++) {
-        double sum = 0;
-        for (int n = 0; n < 9; n++)
-            sum += harmonics[n][c] * values[n] * kept[n == 0 ? 0 : n < 4 ? 1 : 2];
-        irradiance[c] = fmax(sum, 0);
     }
 }
 

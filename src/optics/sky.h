@@ -37,8 +37,6 @@ struct optics_sky {
     double sun[3]; /* irradiance of the sun's disc on a surface across its rays */
     double sun_radiance[3]; /* of the disc, where it has a width; of one 0.2665° wide where it is a point */
     double irradiance[3];   /* of the sky alone on a horizontal surface */
-    double harmonics[9][3]; /* radiance in real spherical harmonics up to order 2, in the usual order (Sloan 2008) and
-                               all with positive signs: 1; y, z, x; x y, y z, 3 z² - 1, x z, x² - y² */
     uint64_t fingerprint;   /* of what it was made from; changes when the light changes */
     struct sky_kept *kept;  /* tables, and the environment's picture */
 };
@@ -51,10 +49,6 @@ bool optics_sky_make(struct optics_sky *sky, const struct optics_sky_settings *s
 
 /* Radiance from a direction (a unit vector that points there), interpolated, without the sun's disc. */
 void optics_sky_radiance(const struct optics_sky *sky, const double direction[3], double radiance[3]);
-
-/* Irradiance of sky and ground, without the sun's disc, on a surface with that normal, from the harmonics (Ramamoorthi
- * & Hanrahan 2001). */
-void optics_sky_irradiance(const double harmonics[9][3], const double normal[3], double irradiance[3]);
 
 void optics_sky_finish(struct optics_sky *sky);
 

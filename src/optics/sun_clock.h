@@ -10,7 +10,8 @@ struct sun_clock {
 };
 
 /* Degrees: height of the sun's middle above the horizon as it is seen through the air, and its bearing from north
- * towards east. Within 0.02° between the years 1900 and 2100, apart from what the weather does to the lowest degree. */
+ * towards east. Within 0.02° of others' results (tests/sun_clock.c), apart from what the weather does to the lowest
+ * degree. */
 void sun_clock_read(const struct sun_clock *clock, double *elevation, double *bearing);
 
 #endif

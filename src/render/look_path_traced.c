@@ -3,8 +3,8 @@
 #include "render/frame.h"
 #include "render/traced_world.h"
 
+#include "base/hash.h"
 #include "base/log.h"
-#include "base/random.h"
 #include "reference/camera.h"
 
 #include <stdlib.h>
@@ -42,14 +42,6 @@ struct state {
     float *radiance;      /* of the part that is drawn */
 };
 
-static uint64_t mix(uint64_t value, const void *bytes, size_t size)
-{
-    const unsigned char *byte = bytes;
-    for (size_t i = 0; i < size; i++)
-        value = random_mix(value * 257 + byte[i] + 1);
-    return value;
-}
-
 /* Of the water, which may have been disturbed, at some points. */
 static uint64_t mix_water(uint64_t value, const struct frame *frame)
 {
@@ -62,7 +54,7 @@ static uint64_t mix_water(uint64_t value, const struct frame *frame)
     struct water_points points = {POINTS,    arrays[0], arrays[1], arrays[2], arrays[3],
                                   arrays[4], arrays[5], arrays[6], arrays[7]};
     water_sample(water_models[frame->scene->medium.model], frame->setup, frame->time, &points);
-    return mix(value, arrays, sizeof arrays);
+    return hash_bytes(value, arrays, sizeof arrays);
 }
 
 /* All of the picture, of which parts may be drawn one after the other. */
@@ -81,23 +73,20 @@ static struct camera_sight sight_of(const struct frame *frame)
 /* A number that differs where a picture does: all values of the scene but how it is exposed. */
 static uint64_t fingerprint_of(const struct state *state, const struct frame *frame)
 {
-    uint64_t value = mix(state->sky.fingerprint, &state->solids.fingerprint, sizeof state->solids.fingerprint);
+    uint64_t value = hash_bytes(state->sky.fingerprint, &state->solids.fingerprint, sizeof state->solids.fingerprint);
     struct look look = *(const struct look *)frame->params;
     look.passes = 0; /* more of them go on from where the picture is */
-    value = mix(mix(value, &frame->time, sizeof frame->time), &look, sizeof look);
+    value = hash_params(hash_number(value, frame->time), params, &look);
     struct camera_sight sight = sight_of(frame);
-    value = mix_water(mix(value, &sight, sizeof sight), frame);
+    value = mix_water(hash_bytes(value, &sight, sizeof sight), frame);
     static const char *const sections[] = {"scene", "water", "sun", "sky", "floor", "current"};
     struct dpl_section section;
     for (int i = 0; (section = dpl_scene_section(frame->scene, i)).name; i++) {
         bool shown = false;
         for (size_t k = 0; k < sizeof sections / sizeof *sections; k++)
             shown = shown || !strcmp(section.name, sections[k]);
-        for (const struct dpl_param *param = section.params; shown && param->name; param++) {
-            char text[DPL_PARAM_TEXT_SIZE];
-            if (dpl_param_format(param, section.values, text, sizeof text))
-                value = mix(value, text, strlen(text));
-        }
+        if (shown)
+            value = hash_params(value, section.params, section.values);
     }
     return value;
 }

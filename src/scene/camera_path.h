@@ -2,9 +2,9 @@
  *
  * Position, target and field of view are cubic Hermite splines of the time. The velocity at a key is that of the
  * parabola through it and its neighbours (Catmull & Rom 1974, with the keys' times as knots), but at most three times
- * the mean speed of the slower side: where a value rises on both sides it never falls in between (Fritsch & Carlson
- * 1980), and a camera that stands still between two keys does not drift there. An open path starts and ends at rest.
- * Two keys at one time are a cut. */
+ * the mean speed of the slower side: where a single number rises on both sides it never falls in between (Fritsch &
+ * Carlson 1980), and a camera that stands still between two keys does not drift there. An open path starts and ends at
+ * rest. Two keys at one time are a cut. */
 #ifndef SCENE_CAMERA_PATH_H
 #define SCENE_CAMERA_PATH_H
 

@@ -1,7 +1,7 @@
 /* scene/look.h: the interface of a look, which draws the picture, and the list of them.
  *
  * A look is one file in src/render/, its shaders beside it; it stands above the scene, which knows it only by this
- * interface. A new look is a copy of src/render/look_collard.c and one line in look.c. */
+ * interface. A new look is a copy of src/render/look_fourier.c and one line in look.c. */
 #ifndef SCENE_LOOK_H
 #define SCENE_LOOK_H
 

@@ -20,7 +20,8 @@ static const struct dpl_param settings_params[] = {
     PARAM_FLOAT(struct scene_settings, depth, 1, 0, 1000, "m", "from the rest surface down to the floor"),
     PARAM_FLOAT(struct scene_settings, loop, 0, 0, 3600, "s", "every wave repeats after this time; 0 = no loop"),
     PARAM_CHOICE(struct scene_settings, edge, SCENE_EDGE_OPEN, edge_name,
-                 "where water and floor end (look = physical): open = at the horizon, or at the tile's edges where the "
+                 "where water and floor end (looks physical and path-traced): open = at the horizon, or at the tile's "
+                 "edges where the "
                  "model is bounded; walls = at the tile's edges; glass = the same, and one sees in from outside"),
     PARAM_INT(struct scene_settings, seed, 1, 0, 1000000, "", "start of everything random (grains of sand, photons)"),
     PARAM_END,
@@ -55,7 +56,7 @@ static const struct dpl_param floor_params[] = {
     PARAM_FLOAT(struct scene_floor, contrast, 1, 0, 4, "", "how much the sand's brightness varies; 0 = plain"),
     PARAM_FLOAT(struct scene_floor, grain, 0.008, 0.0005, 1, "m", "size of the smallest spots of the sand"),
     PARAM_FLOAT(struct scene_floor, relief_height, 0, 0, 100, "m",
-                "look physical: how high the ripples of the sand are; 0 = flat"),
+                "looks physical and path-traced: how high the ripples of the sand are; 0 = flat"),
     PARAM_FLOAT(struct scene_floor, relief_length, 0.25, 0.001, 1000, "m",
                 "from one crest of the ripples to the next, at least 1/256 of the tile"),
     PARAM_FLOAT(struct scene_floor, relief_turn, 20, -360, 360, "degrees", "way across the crests, from +x towards +z"),

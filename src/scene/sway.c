@@ -45,10 +45,3 @@ void sway_move(const struct sway *sway, const float position[3], float reach, fl
     moved[1] = 0;
     moved[2] = reach * (along * sway->current[1] + across * sway->current[0]);
 }
-
-void world_sway(const struct dpl_scene *scene, const struct world_vertex *vertex, double time, float moved[3])
-{
-    struct sway sway;
-    sway_now(scene, time, &sway);
-    sway_move(&sway, vertex->position, vertex->sway, moved);
-}

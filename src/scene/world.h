@@ -1,7 +1,7 @@
 /* scene/world.h: everything solid in a scene as triangles, for who draws it and for who traces rays.
  *
  * A section [object.NAME] of scene text is one object of a shape (scene/shape.h); the floor is a height over the tile.
- * Both are made from the scene's values alone, at rest; what sways in the water is moved by world_sway(), whose twin is
+ * Both are made from the scene's values alone, at rest; what sways in the water is moved by sway_move(), whose twin is
  * scene/sway.glsl. */
 #ifndef SCENE_WORLD_H
 #define SCENE_WORLD_H
@@ -56,11 +56,8 @@ void world_finish(struct world *world);
  * carry them; low > high: there are none. */
 void world_box(const struct world *world, double strength, double level, double low[3], double high[3]);
 
-/* Where the water has carried a vertex at that time, m from its place at rest. */
-void world_sway(const struct dpl_scene *scene, const struct world_vertex *vertex, double time, float moved[3]);
-
-/* Reflectance there: the vertices' colour, interpolated, with the part's pattern on it. world_pattern.glsl is its twin.
- */
+/* Reflectance there: the vertices' colour, interpolated, with the part's pattern on it. scene/pattern.glsl is its
+ * twin. */
 void world_color(const struct world_part *part, const float color[3], const float place[2], float reflectance[3]);
 
 /* The floor's height and slopes at a place, m above -depth, interpolated; 0 where it is flat. */

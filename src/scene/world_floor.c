@@ -142,7 +142,7 @@ static double picture_at(const struct dpl_image *image, double u, double v)
            t * ((1 - s) * brightness(image, i, j + 1) + s * brightness(image, i + 1, j + 1));
 }
 
-static bool is_finite(const struct dpl_image *image, const char *path, const struct dpl_log *log)
+static bool is_brightness(const struct dpl_image *image, const char *path, const struct dpl_log *log)
 {
     for (size_t i = 0; i < (size_t)image->width * (size_t)image->height * 3; i++)
         if (!(image->pixels[i] >= 0 && image->pixels[i] <= 1))
@@ -158,7 +158,7 @@ static bool read_heights(struct world *world, const struct dpl_scene *scene, con
     const int side = world->relief_side;
     const char *path = scene->floor.relief_map;
     struct dpl_image *image = io_read(path, log);
-    bool ok = image && is_finite(image, path, log);
+    bool ok = image && is_brightness(image, path, log);
     for (int j = 0; j < side && ok; j++)
         for (int i = 0; i < side; i++)
             world->relief[j * side + i] =

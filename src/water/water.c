@@ -34,8 +34,9 @@ const struct dpl_param water_medium_params[] = {
                  "scattering coefficient in red, green and blue, of the type `custom`", 0.04, 0.05, 0.07),
     PARAM_FLOAT(struct water_medium, anisotropy, 0.924, -0.99, 0.99, "",
                 "mean cosine of the angle at which particles in the water scatter; 0 = evenly, 1 = straight on"),
-    PARAM_FLOAT(struct water_medium, roughness, 0.02, 0, 0.5, "",
-                "slopes (RMS) of ripples too fine for the grid, which widen the sun's glints (look = physical)"),
+    PARAM_FLOAT(
+        struct water_medium, roughness, 0.02, 0, 0.5, "",
+        "slopes (RMS) of ripples too fine for the grid, which widen the sun's glints (looks physical and path-traced)"),
     PARAM_END,
 };
 
