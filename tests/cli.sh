@@ -340,8 +340,8 @@ works list params --markdown && says '| `elevation` | `60` |'
 for what in scenes waters techniques params; do
     works list $what --json && json "len(o['$what']) > 0"
 done
-refuses 2 'accepted: scenes, waters, techniques, looks, params' list
-refuses 2 'accepted: scenes, waters, techniques, looks, params' list fish
+refuses 2 'accepted: scenes, waters, techniques, looks, shapes, params' list
+refuses 2 'accepted: scenes, waters, techniques, looks, shapes, params' list fish
 refuses 2 'did you mean "looks"' list look
 refuses 2 'did you mean "params"' list param
 works list looks && says collard

@@ -22,8 +22,11 @@ static struct dpl_entry builtin_scene(int index)
 static const struct list {
     const char *name;
     struct dpl_entry (*entry)(int index);
-} lists[] = {
-    {"scenes", builtin_scene}, {"waters", dpl_water_model}, {"techniques", dpl_technique}, {"looks", dpl_look}};
+} lists[] = {{"scenes", builtin_scene},
+             {"waters", dpl_water_model},
+             {"techniques", dpl_technique},
+             {"looks", dpl_look},
+             {"shapes", dpl_shape}};
 enum { LIST_COUNT = sizeof lists / sizeof *lists };
 
 static void list_text(const struct list *list)
@@ -225,8 +228,10 @@ bool command_list(const struct options *options, struct program_log *log)
             return true;
         }
     }
+    static const char accepted[] = "scenes, waters, techniques, looks, shapes, params";
     char hint[64];
     dpl_hint(what, list_name, NULL, hint, sizeof hint);
-    return fail_input(log, "list: no such list: \"%.80s\" (%saccepted: scenes, waters, techniques, looks, params)",
-                      what, hint);
+    if (!*what)
+        return fail_input(log, "list: of what? (accepted: %s)", accepted);
+    return fail_input(log, "list: no such list: \"%.80s\" (%saccepted: %s)", what, hint, accepted);
 }

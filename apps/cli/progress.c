@@ -11,7 +11,7 @@
 
 void progress_begin(struct progress *progress, const char *name, int count, bool quiet, struct program_log *log)
 {
-    *progress = (struct progress){log, name, count, clock_seconds(), 0, !quiet && isatty(STDERR_FILENO)};
+    *progress = (struct progress){log, name, count, clock_seconds(), 0, 0, !quiet && isatty(STDERR_FILENO)};
     progress_step(progress, 0);
 }
 
@@ -19,6 +19,8 @@ void progress_step(struct progress *progress, double done)
 {
     double now = clock_seconds();
     bool whole = done == floor(done);
+    if (done == 1)
+        progress->first = now;
     if (!progress->shown || (whole ? progress->count == 1 : now - progress->drawn < INTERVAL))
         return;
     int filled = (int)(WIDTH * done / progress->count);
@@ -28,7 +30,9 @@ void progress_step(struct progress *progress, double done)
         fprintf(stderr, "%d/%d", (int)done, progress->count);
     else
         fprintf(stderr, "%.0f %%", done * 100);
-    if (done > 0)
+    if (progress->count > 2 && done > 1) /* the first of many steps takes longer */
+        fprintf(stderr, ", %.0f s left", (now - progress->first) / (done - 1) * (progress->count - done));
+    else if (progress->count <= 2 && done > 0)
         fprintf(stderr, ", %.0f s left", (now - progress->started) / done * (progress->count - done));
     progress->drawn = now;
     progress->log->bar_shown = true;

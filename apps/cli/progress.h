@@ -8,7 +8,7 @@ struct progress {
     struct program_log *log;
     const char *name;
     int count;
-    double started, drawn; /* seconds */
+    double started, first, drawn; /* seconds; `first`: when the first whole step was done */
     bool shown;
 };
 

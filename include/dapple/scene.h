@@ -69,8 +69,8 @@ DPL_API struct dpl_view dpl_scene_view(const struct dpl_scene *scene, double tim
 /* The scene's sections, one at a time; NULL-named past the last. */
 DPL_API struct dpl_section dpl_scene_section(const struct dpl_scene *scene, int index);
 
-/* What `dapple list` shows: names and one line each of the water models, the techniques and the looks, NULL past the
- * last. */
+/* What `dapple list` shows: names and one line each of the water models, the techniques, the looks and the shapes of
+ * objects, NULL past the last. */
 struct dpl_entry {
     const char *name, *summary, *source;
     /* Of a technique: */
@@ -84,6 +84,7 @@ struct dpl_entry {
 DPL_API struct dpl_entry dpl_water_model(int index);
 DPL_API struct dpl_entry dpl_technique(int index);
 DPL_API struct dpl_entry dpl_look(int index);
+DPL_API struct dpl_entry dpl_shape(int index); /* of objects */
 
 #ifdef __cplusplus
 }

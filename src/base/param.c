@@ -80,7 +80,11 @@ static bool parse_numbers(const struct dpl_param *param, void *value, const char
         errno = 0;
         numbers[i] = strtod(rest, &end);
         if (end == rest)
-            return reject(param, DPL_REASON_VALUE, where, i ? "too few numbers" : "not a number", text, log);
+            return reject(param, DPL_REASON_VALUE, where,
+                          i       ? "too few numbers"
+                          : *text ? "not a number"
+                                  : "no value (# and ; start a comment)",
+                          text, log);
         if (param->type == DPL_PARAM_INT && isfinite(numbers[i]) && numbers[i] != floor(numbers[i]))
             return reject(param, DPL_REASON_VALUE, where, "not a whole number", text, log);
         if (!isfinite(numbers[i]) || numbers[i] < param->minimum || numbers[i] > param->maximum)
@@ -88,7 +92,10 @@ static bool parse_numbers(const struct dpl_param *param, void *value, const char
         rest = end + strspn(end, " \t,");
     }
     if (*rest)
-        return reject(param, DPL_REASON_VALUE, where, "more than is wanted", text, log);
+        return reject(param, DPL_REASON_VALUE, where,
+                      strchr("+-.0123456789", *rest) ? "too many numbers"
+                                                     : "more than a number, which stands without its unit",
+                      text, log);
     for (int i = 0; i < param->count; i++) {
         if (param->type == DPL_PARAM_INT)
             ((int *)value)[i] = (int)numbers[i];

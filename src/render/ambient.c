@@ -11,13 +11,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define FLOOR_SIDE 48     /* points of the floor a side */
-#define FLOOR_MARGIN 2.0  /* m of floor around the solids */
-#define ABOVE_FLOOR 0.05  /* m that sight from one of them to the next passes above it */
-#define BURIED 1e-2       /* of the brightest: darker is what lies within a solid */
-#define APART 4           /* times as bright is what lies on another side of a wall; less may be one side's shade */
-#define WHOLE_SPACING 0.3 /* m between the probes of a part that have all rays */
-#define LEAST_RAYS 0.25   /* share of them */
+#define MANY_VERTICES 20000 /* of a world for which that takes a while */
+#define FLOOR_SIDE 48       /* points of the floor a side */
+#define FLOOR_MARGIN 2.0    /* m of floor around the solids */
+#define ABOVE_FLOOR 0.05    /* m that sight from one of them to the next passes above it */
+#define BURIED 1e-2         /* of the brightest: darker is what lies within a solid */
+#define APART 4             /* times as bright is what lies on another side of a wall; less may be one side's shade */
+#define WHOLE_SPACING 0.3   /* m between the probes of a part that have all rays */
+#define LEAST_RAYS 0.25     /* share of them */
 
 /* A probe of a small part, which stands for little of a picture, has fewer rays. */
 static int count_rays(const struct probes *probes, const struct probe *probe, int rays)
@@ -191,6 +192,8 @@ bool ambient_update(struct physical *physical, const struct frame *frame)
     if (!memcmp(&key, &physical->ambient, sizeof key))
         return true;
     struct traced_world traced = {0};
+    if (physical->world.vertex_count > MANY_VERTICES)
+        base_inform(frame->gl->log, "tracing the light from all around, once for this place");
     bool ok = traced_world_make(&traced, scene, &physical->world, &physical->sky, NULL, frame->above->periodic, 0,
                                 frame->gl->log) &&
               bake_solids(physical, frame, &traced) && bake_floor(physical, frame, &traced);

@@ -4,8 +4,8 @@
 #include "scene/world.h"
 
 const struct dpl_param scene_object_params[] = {
-    PARAM_CHOICE(struct scene_object, shape, 0, scene_shape_name, "what it is"),
-    PARAM_TEXT(struct scene_object, file, "where the shape is read from a file: its name"),
+    PARAM_CHOICE(struct scene_object, shape, 0, scene_shape_name, "what it is; `dapple list shapes` says more"),
+    PARAM_TEXT(struct scene_object, file, "of the shape mesh: a file .obj .gltf .glb .ply .stl, y upwards"),
     PARAM_FLOATS(struct scene_object, position, 3, -10000, 10000, "m", "middle of its base", 0, 0, 0),
     PARAM_BOOL(struct scene_object, on_floor, true, "its height counts from the floor below it; no: from the water"),
     PARAM_FLOATS(struct scene_object, size, 3, 0.001, 10000, "m", "along x, y and z, before it is turned", 1, 1, 1),

@@ -98,6 +98,10 @@ static bool fail_section(const struct dpl_scene *scene, const char *where, const
     if (names_object(name))
         return base_fail(scene->log, DPL_REASON_LIMIT, "%s: too many objects: \"%s\" (accepted: at most %d)", where,
                          name, SCENE_OBJECTS_MAX);
+    if (!strncmp(name, "object", strlen("object")))
+        return base_fail(scene->log, DPL_REASON_UNKNOWN_SECTION,
+                         "%s: no name of an object: \"%s\" (accepted: object.NAME, a NAME of letters, digits and -)",
+                         where, name);
     list_sections(scene, accepted, sizeof accepted);
     dpl_hint(name, section_name, scene, hint, sizeof hint);
     return base_fail(scene->log, DPL_REASON_UNKNOWN_SECTION, "%s: no such section: \"%s\" (%saccepted: %s)", where,
