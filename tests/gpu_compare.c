@@ -181,6 +181,29 @@ static void a_still_reference_gets_better(void **state)
     finish(&fixture);
 }
 
+/* Radiance is that of the scene's technique, whatever pictures compare, and of any size. */
+static void radiance_is_not_compared(void **state)
+{
+    struct fixture fixture;
+    struct dpl_compare compare = {.technique = technique("reference"), .gain = 1, .range = 1};
+    (void)state;
+    start(&fixture, false);
+    support_set(fixture.scene, "render.look", "physical");
+    support_set(fixture.scene, "render.quality", "low");
+    struct dpl_image *alone = dpl_renderer_radiance(fixture.renderer, fixture.scene, 1, WIDTH, HEIGHT);
+    for (int mode = DPL_COMPARE_SPLIT; mode <= DPL_COMPARE_DIFFERENCE; mode++) {
+        compare.mode = (enum dpl_comparison)mode;
+        dpl_renderer_compare(fixture.renderer, &compare);
+        struct dpl_image *large = dpl_renderer_radiance(fixture.renderer, fixture.scene, 1, 8 * WIDTH, HEIGHT);
+        struct dpl_image *beside = dpl_renderer_radiance(fixture.renderer, fixture.scene, 1, WIDTH, HEIGHT);
+        assert_int_equal(different(alone, beside, 0, WIDTH), 0);
+        dpl_image_destroy(beside);
+        dpl_image_destroy(large);
+    }
+    dpl_image_destroy(alone);
+    finish(&fixture);
+}
+
 int main(void)
 {
     if (!support_has_gl())
@@ -191,6 +214,7 @@ int main(void)
         cmocka_unit_test(differences_have_their_colors),
         cmocka_unit_test(maps_are_measured),
         cmocka_unit_test(a_still_reference_gets_better),
+        cmocka_unit_test(radiance_is_not_compared),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

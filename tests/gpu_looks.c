@@ -58,6 +58,8 @@ static void check_looks(struct fixture *fixture)
         support_set(scene, "look.path-traced.mesh", "128");
         for (int i = 0; scene_looks[i]; i++) {
             support_set(scene, "render.look", "%s", scene_looks[i]->name);
+            /* looks without meshes to show draw all the same */
+            support_set(scene, "render.wireframe", scene_looks[i]->linear ? "yes" : "no");
             for (int below = 0; below < 2; below++) {
                 support_set(scene, "camera.position", "0.3 %g 0.9", below ? -0.6 : 0.9);
                 support_set(scene, "sphere.radius", "%g", below ? 0 : 0.25);

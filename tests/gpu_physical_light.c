@@ -25,6 +25,30 @@ static void check_flat_floor(struct physical_fixture *fixture)
     dpl_scene_destroy(scene);
 }
 
+/* The floor under water that scatters, from near above it: what the path tracer has. What the water scatters out of the
+ * sun's beam lights the floor too, and counts once. */
+static void check_cloudy_floor(struct physical_fixture *fixture)
+{
+    struct dpl_scene *scene = physical_scene(
+        fixture, "[scene]\ndepth = 5\n[water]\nabsorption = 0.05 0.05 0.05\n[sun]\nelevation = 60\n"
+                 "[caustics]\ntechnique = coverage\n[look.path-traced]\nmesh = 64\npasses = 24\nphotons = 20\n");
+    physical_look(scene, (const double[3]){0.1, -4.6, -0.2}, (const double[3]){0.1, -6, -0.2}, 20);
+    support_set(scene, "camera.near_plane", "0.01");
+    for (double scattering = 0; scattering < 0.5; scattering += 0.4) {
+        double means[2];
+        support_set(scene, "water.scattering", "%g %g %g", scattering, scattering, scattering);
+        for (int i = 0; i < 2; i++) {
+            support_set(scene, "render.look", i ? "path-traced" : "physical");
+            struct dpl_image *image = physical_radiance(fixture, scene, 32, 32);
+            means[i] = physical_mean(image, 1);
+            dpl_image_destroy(image);
+        }
+        if (fabs(means[0] / means[1] - 1) > (scattering > 0 ? 0.12 : 0.01))
+            fail_msg("scattering %g: %g, not %g", scattering, means[0], means[1]);
+    }
+    dpl_scene_destroy(scene);
+}
+
 /* Near the focus: the first wave alone has it 1.2 m deep. */
 static const char waves[] = "[scene]\nsize = 1\n[wave.1]\ncycles = 2 0\namplitude = 0.02\nphase = 30\n"
                             "[wave.2]\ncycles = 0 1\namplitude = 0.02\n[caustics]\nmap = 128\nmesh = 192\n";
@@ -106,6 +130,8 @@ static void check(bool es)
     struct physical_fixture fixture;
     physical_start(&fixture, es);
     check_flat_floor(&fixture);
+    if (!es)
+        check_cloudy_floor(&fixture);
     check_energy(&fixture);
     check_repeats(&fixture);
     physical_finish(&fixture);
