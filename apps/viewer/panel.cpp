@@ -100,7 +100,8 @@ static void draw_message(const panel *panel, const panel_view &view)
 {
     ImVec2 display = ImGui::GetIO().DisplaySize;
     float margin = MARGIN * panel->scale, left = view.hidden ? margin : (LEFT_WIDTH + 2 * MARGIN) * panel->scale;
-    float width = fmaxf(display.x - left - margin, 1);
+    float right = display.x < BOTH_WIDTH * panel->scale ? margin : (RIGHT_WIDTH + 2 * MARGIN) * panel->scale;
+    float width = fmaxf(display.x - left - (view.hidden ? margin : right), 1);
     ImGui::SetNextWindowPos(ImVec2(left, display.y - margin), ImGuiCond_Always, ImVec2(0, 1));
     ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), ImVec2(width, display.y));
     ImGui::Begin("message", nullptr,

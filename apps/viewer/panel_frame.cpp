@@ -61,13 +61,14 @@ void panel_thumbnails(const panel_view &view, float side)
 
 void panel_keys(void)
 {
-    if (!ImGui::CollapsingHeader("keys") || !ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit))
+    if (!ImGui::CollapsingHeader("keys"))
         return;
+    float widest = 0;
+    for (const input_key *key = input_keys(); key->name; key++)
+        widest = fmaxf(widest, ImGui::CalcTextSize(key->name).x);
     for (const input_key *key = input_keys(); key->name; key++) {
-        ImGui::TableNextColumn();
         ImGui::TextDisabled("%s", key->name);
-        ImGui::TableNextColumn();
-        ImGui::TextUnformatted(key->meaning);
+        ImGui::SameLine(widest + 2 * ImGui::GetStyle().ItemSpacing.x);
+        ImGui::TextWrapped("%s", key->meaning);
     }
-    ImGui::EndTable();
 }
