@@ -27,7 +27,7 @@ static bool is_obj(const char *bytes, size_t length)
     return strlen(bytes) == length && (!strncmp(bytes, "v ", 2) || strstr(bytes, "\nv "));
 }
 
-static uint32_t little_endian(const char *bytes)
+uint32_t mesh_little_endian(const char *bytes)
 {
     const unsigned char *b = (const unsigned char *)bytes;
     return b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24;
@@ -36,7 +36,7 @@ static uint32_t little_endian(const char *bytes)
 /* Text, or 80 bytes, a number of triangles, and 50 bytes for each. */
 static bool is_stl(const char *bytes, size_t length)
 {
-    bool binary = length >= 84 && length == 84 + (uint64_t)50 * little_endian(bytes + 80);
+    bool binary = length >= 84 && length == 84 + (uint64_t)50 * mesh_little_endian(bytes + 80);
     return binary || (!strncmp(bytes, "solid", 5) && strlen(bytes) == length && strstr(bytes, "endsolid"));
 }
 

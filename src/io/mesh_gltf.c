@@ -117,19 +117,13 @@ bool mesh_gltf_is_sound(const char *bytes, size_t length, const char *path, cons
     return text_is_sound(bytes, length, path, log);
 }
 
-static uint32_t little_endian(const char *bytes)
-{
-    const unsigned char *b = (const unsigned char *)bytes;
-    return b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24;
-}
-
 /* Header: "glTF", version, length of all; first chunk: length, "JSON", text (Khronos Group, glTF 2.0, 4.4). */
 bool mesh_glb_is_sound(const char *bytes, size_t length, const char *path, const struct dpl_log *log)
 {
-    if (length < 20 || memcmp(bytes, "glTF", 4) || little_endian(bytes + 4) != 2 || memcmp(bytes + 16, "JSON", 4))
+    if (length < 20 || memcmp(bytes, "glTF", 4) || mesh_little_endian(bytes + 4) != 2 || memcmp(bytes + 16, "JSON", 4))
         return base_fail(log, DPL_REASON_FILE_FORMAT, "%s: no GLB (accepted: \"glTF\", version 2, a chunk \"JSON\")",
                          path);
-    uint32_t whole = little_endian(bytes + 8), text = little_endian(bytes + 12);
+    uint32_t whole = mesh_little_endian(bytes + 8), text = mesh_little_endian(bytes + 12);
     if (whole != length || text > length - 20)
         return base_fail(log, DPL_REASON_FILE_FORMAT, "%s: cut short, or longer than it says: %zu bytes (accepted: %u)",
                          path, length, whole);

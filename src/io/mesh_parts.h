@@ -5,6 +5,7 @@
 #include "io/mesh.h"
 
 #include <stddef.h>
+#include <stdint.h>
 
 struct aiScene;
 
@@ -20,6 +21,9 @@ bool mesh_bytes_are_sound(const char *ending, const char *bytes, size_t length, 
 bool mesh_gltf_is_sound(const char *bytes, size_t length, const char *path, const struct dpl_log *log);
 bool mesh_glb_is_sound(const char *bytes, size_t length, const char *path, const struct dpl_log *log);
 bool mesh_ply_is_sound(const char *bytes, size_t length, const char *path, const struct dpl_log *log);
+
+/* Four bytes as a number, the lowest first. */
+uint32_t mesh_little_endian(const char *bytes);
 
 /* True where numbers that point to others are in range, coordinates are finite, and there are triangles, not too many.
  */

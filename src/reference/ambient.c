@@ -1,7 +1,7 @@
 #include "reference/ambient.h"
 
+#include "base/vector3.h"
 #include "reference/camera_path.h"
-#include "reference/vector3.h"
 
 #include "base/sine.h"
 

@@ -1,6 +1,6 @@
 #include "reference/camera_crossing.h"
 
-#include "reference/vector3.h"
+#include "base/vector3.h"
 
 #include "optics/refraction.h"
 

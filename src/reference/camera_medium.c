@@ -1,6 +1,6 @@
 #include "reference/camera_medium.h"
 
-#include "reference/vector3.h"
+#include "base/vector3.h"
 
 #include "base/sine.h"
 #include "optics/phase.h"

@@ -1,9 +1,9 @@
 #include "reference/camera_path.h"
 
+#include "base/vector3.h"
 #include "reference/camera_crossing.h"
 #include "reference/camera_medium.h"
 #include "reference/camera_sun.h"
-#include "reference/vector3.h"
 
 #include "base/sine.h"
 #include "optics/phase.h"

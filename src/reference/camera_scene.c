@@ -1,6 +1,6 @@
 #include "reference/camera_scene.h"
 
-#include "reference/vector3.h"
+#include "base/vector3.h"
 
 #include <string.h>
 

@@ -2,7 +2,7 @@
 #ifndef REFERENCE_CAMERA_SIGHT_H
 #define REFERENCE_CAMERA_SIGHT_H
 
-#include "reference/vector3.h"
+#include "base/vector3.h"
 
 /* Rays go from the eye along ahead + right x + up y, x and y from -1 to 1. */
 struct camera_sight {

@@ -1,7 +1,7 @@
 #include "reference/camera_sun.h"
 
+#include "base/vector3.h"
 #include "reference/camera_medium.h"
-#include "reference/vector3.h"
 
 #include "optics/refraction.h"
 

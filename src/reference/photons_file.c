@@ -17,21 +17,6 @@ struct header {
     uint64_t check; /* of all before it and of the sums */
 };
 
-/* The water at some points: what a state of its model, a file or a second model makes of it. */
-static uint64_t hash_water(uint64_t value, const struct photons_task *task)
-{
-    enum { POINTS = 64 };
-    double arrays[8][POINTS] = {{0}}, size = task->setup->size;
-    for (int i = 0; i < POINTS; i++) {
-        arrays[0][i] = (i % 8 + 0.47) / 8 * size - size / 2;
-        arrays[1][i] = (i / 8 + 0.59) / 8 * size - size / 2;
-    }
-    struct water_points points = {POINTS,    arrays[0], arrays[1], arrays[2], arrays[3],
-                                  arrays[4], arrays[5], arrays[6], arrays[7]};
-    water_sample(task->model, task->setup, task->time, &points);
-    return hash_bytes(value, arrays, sizeof arrays);
-}
-
 uint64_t photons_fingerprint(const struct photons_task *task)
 {
     const struct water_setup *setup = task->setup;
@@ -42,7 +27,7 @@ uint64_t photons_fingerprint(const struct photons_task *task)
     value = hash_number(value, setup->depth);
     value = hash_number(value, setup->loop);
     value = hash_number(value, task->time);
-    value = hash_water(value, task);
+    value = water_hash(value, task->model, task->setup, task->time);
     for (int w = 0; w < setup->wave_count; w++)
         value = hash_params(value, water_wave_params, setup->waves + w);
     value = hash_params(value, optics_sun_params, task->sun);

@@ -42,21 +42,6 @@ struct state {
     float *radiance;      /* of the part that is drawn */
 };
 
-/* Of the water, which may have been disturbed, at some points. */
-static uint64_t mix_water(uint64_t value, const struct frame *frame)
-{
-    enum { POINTS = 64 };
-    double arrays[8][POINTS] = {{0}}, size = frame->setup->size;
-    for (int i = 0; i < POINTS; i++) {
-        arrays[0][i] = (i % 8 + 0.47) / 8 * size - size / 2;
-        arrays[1][i] = (i / 8 + 0.59) / 8 * size - size / 2;
-    }
-    struct water_points points = {POINTS,    arrays[0], arrays[1], arrays[2], arrays[3],
-                                  arrays[4], arrays[5], arrays[6], arrays[7]};
-    water_sample(water_models[frame->scene->medium.model], frame->setup, frame->time, &points);
-    return hash_bytes(value, arrays, sizeof arrays);
-}
-
 /* All of the picture, of which parts may be drawn one after the other. */
 static struct camera_sight sight_of(const struct frame *frame)
 {
@@ -78,7 +63,8 @@ static uint64_t fingerprint_of(const struct state *state, const struct frame *fr
     look.passes = 0; /* more of them go on from where the picture is */
     value = hash_params(hash_number(value, frame->time), params, &look);
     struct camera_sight sight = sight_of(frame);
-    value = mix_water(hash_bytes(value, &sight, sizeof sight), frame);
+    value = water_hash(hash_bytes(value, &sight, sizeof sight), water_models[frame->scene->medium.model], frame->setup,
+                       frame->time);
     static const char *const sections[] = {"scene", "water", "sun", "sky", "floor", "current"};
     struct dpl_section section;
     for (int i = 0; (section = dpl_scene_section(frame->scene, i)).name; i++) {

@@ -1,5 +1,7 @@
 #include "scene/pieces.h"
 
+#include "base/vector3.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -28,11 +30,6 @@ void piece_move_pattern(struct world_builder *builder, int first, double across,
     }
 }
 
-static double length_of(const double v[3])
-{
-    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
 void piece_panel(struct world_builder *builder, const double corner[3], const double right[3], const double up[3],
                  double cell, const double color[3])
 {
@@ -47,7 +44,7 @@ void piece_panel(struct world_builder *builder, const double corner[3], const do
                 part_corner[c] = corner[c] + i * part_right[c] + j * part_up[c];
             }
             builder_face(builder, part_corner, part_right, part_up, cell, color);
-            piece_move_pattern(builder, first, i * length_of(part_right), j * length_of(part_up));
+            piece_move_pattern(builder, first, i * vector3_length(part_right), j * vector3_length(part_up));
         }
     }
 }
@@ -55,7 +52,7 @@ void piece_panel(struct world_builder *builder, const double corner[3], const do
 void piece_panel_over(struct world_builder *builder, const double corner[3], const double right[3], const double up[3],
                       double over, double cell, const double color[3])
 {
-    double across = over / length_of(right), along = over / length_of(up), low[3], wide[3], high[3];
+    double across = over / vector3_length(right), along = over / vector3_length(up), low[3], wide[3], high[3];
     int first = builder->vertex_count;
     for (int c = 0; c < 3; c++) {
         low[c] = corner[c] - across * right[c] - along * up[c];
@@ -88,15 +85,9 @@ void piece_block(struct world_builder *builder, const double low[3], const doubl
 
 static void normalize(double v[3])
 {
-    double length = length_of(v);
+    double length = vector3_length(v);
     for (int c = 0; c < 3; c++)
         v[c] = length > 0 ? v[c] / length : 0;
-}
-
-static void cross(const double a[3], const double b[3], double out[3])
-{
-    for (int c = 0; c < 3; c++)
-        out[c] = a[(c + 1) % 3] * b[(c + 2) % 3] - a[(c + 2) % 3] * b[(c + 1) % 3];
 }
 
 /* A ring across the line; `side` is across the line and is carried on along it, so that the tube does not twist. */
@@ -107,7 +98,7 @@ static void add_ring(struct world_builder *builder, const double point[3], const
     for (int c = 0; c < 3; c++)
         side[c] -= dot * along[c];
     normalize(side);
-    cross(along, side, other);
+    vector3_cross(along, side, other);
     for (int s = 0; s <= sides; s++) {
         double angle = 2 * M_PI * (s % sides) / sides;
         struct world_vertex vertex = {.place = {(float)(2 * M_PI * radius * s / sides), (float)length}};
@@ -153,7 +144,7 @@ void piece_tube(struct world_builder *builder, const double (*line)[3], int poin
             along[c] = after[c] - before[c];
             step[c] = line[p][c] - before[c];
         }
-        length += length_of(step);
+        length += vector3_length(step);
         normalize(along);
         add_ring(builder, line[p], along, side, radius, sides, length, color);
         memcpy(ends[p > 0], along, sizeof along);

@@ -1,6 +1,8 @@
 /* Surfaces for shapes: flat faces, surfaces of revolution, smooth normals. */
 #include "scene/world_builder.h"
 
+#include "base/vector3.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -23,26 +25,15 @@ double builder_cell(double size)
     return fmin(CELL_LARGEST, size / 16);
 }
 
-static double length_of(const double v[3])
-{
-    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
-static void cross(const double a[3], const double b[3], double out[3])
-{
-    for (int c = 0; c < 3; c++)
-        out[c] = a[(c + 1) % 3] * b[(c + 2) % 3] - a[(c + 2) % 3] * b[(c + 1) % 3];
-}
-
 void builder_face(struct world_builder *builder, const double corner[3], const double right[3], const double up[3],
                   double cell, const double color[3])
 {
-    double width = length_of(right), height = length_of(up), normal[3];
+    double width = vector3_length(right), height = vector3_length(up), normal[3];
     int columns = (int)fmin(fmax(ceil(width / cell), 1), CELLS_MAX) + 1;
     int rows = (int)fmin(fmax(ceil(height / cell), 1), CELLS_MAX) + 1;
     unsigned first = (unsigned)builder->vertex_count;
-    cross(right, up, normal);
-    double area = length_of(normal);
+    vector3_cross(right, up, normal);
+    double area = vector3_length(normal);
     for (int j = 0; j < rows; j++) {
         for (int i = 0; i < columns; i++) {
             double u = (double)i / (columns - 1), v = (double)j / (rows - 1);
@@ -113,8 +104,8 @@ static void add_normal(struct world_vertex *vertices, const unsigned corners[3])
     for (int k = 0; k < 3; k++)
         for (int c = 0; c < 3; c++)
             sides[k][c] = (double)vertices[corners[(k + 1) % 3]].position[c] - (double)vertices[corners[k]].position[c];
-    cross(sides[0], sides[1], normal);
-    double length = length_of(normal);
+    vector3_cross(sides[0], sides[1], normal);
+    double length = vector3_length(normal);
     for (int k = 0; k < 3 && length > 0; k++) {
         const double *to = sides[k], *from = sides[(k + 2) % 3];
         double dot = -(to[0] * from[0] + to[1] * from[1] + to[2] * from[2]);
@@ -134,7 +125,7 @@ void builder_smooth(struct world_builder *builder, int first_vertex, int first_i
         add_normal(builder->vertices, builder->indices + i);
     for (int v = first_vertex; v < builder->vertex_count; v++) {
         float *normal = builder->vertices[v].normal;
-        double length = length_of((const double[3]){normal[0], normal[1], normal[2]});
+        double length = vector3_length((const double[3]){normal[0], normal[1], normal[2]});
         for (int c = 0; c < 3; c++)
             normal[c] = length > 0 ? (float)((double)normal[c] / length) : c == 1;
     }

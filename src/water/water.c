@@ -1,5 +1,6 @@
 #include "water/water.h"
 
+#include "base/hash.h"
 #include "base/log.h"
 
 #include <math.h>
@@ -118,6 +119,20 @@ void water_sample(const struct water_model *model, const struct water_setup *set
         }
     }
     model->sample(water_state(model, setup, NULL), setup, time, points);
+}
+
+uint64_t water_hash(uint64_t value, const struct water_model *model, const struct water_setup *setup, double time)
+{
+    enum { POINTS = 64 };
+    double arrays[8][POINTS] = {{0}};
+    for (int i = 0; i < POINTS; i++) {
+        arrays[0][i] = ((i % 8 + 0.47) / 8 - 0.5) * setup->size;
+        arrays[1][i] = ((i / 8 + 0.59) / 8 - 0.5) * setup->size;
+    }
+    struct water_points points = {POINTS,    arrays[0], arrays[1], arrays[2], arrays[3],
+                                  arrays[4], arrays[5], arrays[6], arrays[7]};
+    water_sample(model, setup, time, &points);
+    return hash_bytes(value, arrays, sizeof arrays);
 }
 
 /* Vertices of a row, from column `from` on. */

@@ -135,6 +135,11 @@ const char *water_model_name(int i);
 /* True where waves of the model `part` move the water of `model`: it is that one, or a sum that has it. */
 bool water_model_has(int model, int part, const void *const *all_params);
 
+/* Adds the water at some points to a hash (base/hash.h): what a state of its model, a file or a second model makes of
+ * it.
+ */
+uint64_t water_hash(uint64_t value, const struct water_model *model, const struct water_setup *setup, double time);
+
 /* The model's points; where it is not choppy, shifts are 0 and areas 1. */
 void water_sample(const struct water_model *model, const struct water_setup *setup, double time,
                   struct water_points *points);

@@ -1,6 +1,6 @@
-/* reference/vector3.h: sums over the three numbers of places and directions. */
-#ifndef REFERENCE_VECTOR3_H
-#define REFERENCE_VECTOR3_H
+/* base/vector3.h: sums over the three numbers of places and directions. */
+#ifndef BASE_VECTOR3_H
+#define BASE_VECTOR3_H
 
 #include <math.h>
 
@@ -29,9 +29,20 @@ static inline void vector3_along(const double from[3], const double direction[3]
         to[c] = from[c] + direction[c] * distance;
 }
 
+static inline double vector3_length(const double a[3])
+{
+    return sqrt(vector3_dot(a, a));
+}
+
+static inline void vector3_cross(const double a[3], const double b[3], double out[3])
+{
+    for (int c = 0; c < 3; c++)
+        out[c] = a[(c + 1) % 3] * b[(c + 2) % 3] - a[(c + 2) % 3] * b[(c + 1) % 3];
+}
+
 static inline void vector3_normalize(double a[3])
 {
-    vector3_scale(a, 1 / sqrt(vector3_dot(a, a)), a);
+    vector3_scale(a, 1 / vector3_length(a), a);
 }
 
 static inline double vector3_most(const double a[3])
