@@ -25,8 +25,9 @@ out vec4 color;
 const float HORIZON = 0.9999985; /* depth: what is farther has that of sea_mesh.glsl */
 const float DEPTHS_EXACT = 100.0; /* m: beyond, they tell the floor from the surface no more */
 
-/* The water's slope that is seen at `position` and is at `xz`, which differ in an image: the mean, and the variance of what is finer than the pixel. Between the texels
- * of the finest level slopes change evenly, and a pixel that is smaller sees only its part of that. */
+/* The water's slope that is seen at `position` and is at `xz`, which differ in an image: the mean, and the variance of
+ * what is finer than the pixel. Between the texels of the finest level slopes change evenly, and a smaller pixel sees
+ * only its part of that. */
 vec3 slope_here(vec2 xz)
 {
     vec4 texel = texture(waves_texels, waves_place(xz));

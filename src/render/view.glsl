@@ -24,8 +24,8 @@ const int pane = 0;
 uniform int pane;
 #endif
 
-/* m from pane to pane of a tank along x and z, where they mirror what is in it; 0: they do not. An image in a pane is as
- * far beyond it as what it shows is before it. */
+/* m from pane to pane of a tank along x and z, where they mirror what is in it; 0: they do not. An image in a pane is
+ * as far beyond it as what it shows is before it. */
 uniform vec2 mirrors;
 
 /* The image of a point in the pane at the greater end of an axis (1), at the lesser (-1), or in none (0). */
