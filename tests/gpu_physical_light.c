@@ -49,6 +49,32 @@ static void check_cloudy_floor(struct physical_fixture *fixture)
     dpl_scene_destroy(scene);
 }
 
+/* The floor of a tank near the pane that the sun shines through, where nothing comes from the surface, and in the
+ * middle: what the path tracer has. */
+static void check_side_light(struct physical_fixture *fixture)
+{
+    struct dpl_scene *scene = physical_scene(fixture, "[scene]\nsize = 1\ndepth = 0.6\nedge = glass\n[sun]\n"
+                                                      "elevation = 45\n[caustics]\ntechnique = coverage\n"
+                                                      "[look.path-traced]\nmesh = 64\npasses = 32\nphotons = 200\n"
+                                                      "solid_radius = 0.01\n");
+    double near_pane = 0;
+    for (int middle = 0; middle < 2; middle++) {
+        double x = middle ? 0.12 : 0.4, means[2];
+        physical_look(scene, (const double[3]){x, 0.5, 0.05}, (const double[3]){x, -0.6, 0.05}, 4);
+        for (int i = 0; i < 2; i++) {
+            support_set(scene, "render.look", i ? "path-traced" : "physical");
+            struct dpl_image *image = physical_radiance(fixture, scene, 16, 16);
+            means[i] = physical_mean(image, 1);
+            dpl_image_destroy(image);
+        }
+        if (fabs(means[0] / means[1] - 1) > 0.06)
+            fail_msg("%g m from the middle: %g, not %g", x, means[0], means[1]);
+        near_pane = middle ? near_pane / means[0] : means[0];
+    }
+    assert_true(near_pane < 0.8);
+    dpl_scene_destroy(scene);
+}
+
 /* Near the focus: the first wave alone has it 1.2 m deep. */
 static const char waves[] = "[scene]\nsize = 1\n[wave.1]\ncycles = 2 0\namplitude = 0.02\nphase = 30\n"
                             "[wave.2]\ncycles = 0 1\namplitude = 0.02\n[caustics]\nmap = 128\nmesh = 192\n";
@@ -130,8 +156,10 @@ static void check(bool es)
     struct physical_fixture fixture;
     physical_start(&fixture, es);
     check_flat_floor(&fixture);
-    if (!es)
+    if (!es) {
         check_cloudy_floor(&fixture);
+        check_side_light(&fixture);
+    }
     check_energy(&fixture);
     check_repeats(&fixture);
     physical_finish(&fixture);

@@ -26,6 +26,21 @@ static void scatter(struct physical_light *light, const struct water_medium *med
     }
 }
 
+/* Light that comes into a tank through its panes. */
+static void find_sides(struct physical_light *light, const struct frame *frame)
+{
+    double ior = frame->scene->medium.ior;
+    light->glass = frame->scene->settings.edge == SCENE_EDGE_GLASS ? waves_extent(frame) : 0;
+    for (int i = 0; i < 2 && light->glass > 0; i++) {
+        double normal[3] = {0}, cosine = fabs(light->to_sun[2 * i]);
+        normal[2 * i] = copysign(1, light->to_sun[2 * i]);
+        optics_refract(light->to_sun, normal, ior, light->side_way[i]);
+        double share = (1 - optics_fresnel_reflectance(cosine, ior)) * cosine / fabs(light->side_way[i][2 * i]);
+        for (int c = 0; c < 3; c++)
+            light->side[i][c] = light->sun[c] * share;
+    }
+}
+
 struct physical_light physical_light(const struct optics_sky *sky, const struct frame *frame)
 {
     static const double up[3] = {0, 1, 0};
@@ -47,6 +62,7 @@ struct physical_light physical_light(const struct optics_sky *sky, const struct 
                        light.diffuse_below[c] * exp(-lost * DIFFUSE_SLANT);
         light.floor_radiance[c] = scene->floor.color[c] / M_PI * below;
     }
+    find_sides(&light, frame);
     return light;
 }
 
@@ -84,6 +100,11 @@ static void bind_light(const struct physical *physical, const struct frame *fram
     program_vec3(gl, program, "sun_below", light->sun_below);
     program_vec3(gl, program, "sun_reflected", light->sun_reflected);
     program_float(gl, program, "sun_spread", light->sun_spread);
+    program_float(gl, program, "glass", light->glass);
+    program_vec3(gl, program, "side_way_x", light->side_way[0]);
+    program_vec3(gl, program, "side_way_z", light->side_way[1]);
+    program_vec3(gl, program, "side_light_x", light->side[0]);
+    program_vec3(gl, program, "side_light_z", light->side[1]);
     program_vec3(gl, program, "diffuse_below", light->diffuse_below);
     program_vec3(gl, program, "absorption", light->absorption);
     program_vec3(gl, program, "extinction", light->extinction);

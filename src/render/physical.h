@@ -55,11 +55,14 @@ _Static_assert(PHYSICAL_UNITS <= GPU_TEXTURE_UNITS, "a unit for each");
 
 /* The light of the scene in numbers; what render/volume.glsl and render/receiver.glsl get. */
 struct physical_light {
-    double to_sun[3], sun_way[3]; /* unit vectors */
-    double sun[3], sun_below[3];  /* irradiance across the sun's rays, in the air and just below flat water */
-    double sun_reflected[3];      /* on a ceiling, of what flat water throws back */
-    double sun_spread;            /* radians */
-    double diffuse_below[3];      /* irradiance from all around on a horizontal surface just below */
+    double to_sun[3], sun_way[3];      /* unit vectors */
+    double sun[3], sun_below[3];       /* irradiance across the sun's rays, in the air and just below flat water */
+    double sun_reflected[3];           /* on a ceiling, of what flat water throws back */
+    double sun_spread;                 /* radians */
+    double side_way[2][3], side[2][3]; /* the sun's light in a tank from the panes across x and z, and its irradiance
+                                          across that way; 0: none comes in there */
+    double glass;                      /* m, half a side of the tank; 0: it is none */
+    double diffuse_below[3];           /* irradiance from all around on a horizontal surface just below */
     double absorption[3], scattering[3], extinction[3], anisotropy;
     double floor_radiance[3]; /* of the flat floor under flat water */
 };

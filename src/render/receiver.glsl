@@ -40,6 +40,23 @@ vec3 receiver_caustics(vec3 point)
     return caustics != 0 ? light : vec3(1.0);
 }
 
+uniform float glass;                      /* m, half a side of a tank; 0: it is none */
+uniform vec3 side_way_x, side_way_z;     /* unit vectors: the sun's light in it from the panes across x and z */
+uniform vec3 side_light_x, side_light_z; /* irradiance across these */
+
+/* Irradiance of the sun's light that comes to a point in a tank through the panes; no solid's shadow is in it. */
+vec3 receiver_sides(vec3 point, vec3 normal)
+{
+    vec2 from_x = vec2((glass + point.x * sign(side_way_x.x)) / max(abs(side_way_x.x), 1e-4), -side_way_x.y);
+    vec2 from_z = vec2((glass + point.z * sign(side_way_z.z)) / max(abs(side_way_z.z), 1e-4), -side_way_z.y);
+    /* waves draw the edge of what comes in below the surface wide */
+    vec2 start = point.y + vec2(from_x.x * from_x.y, from_z.x * from_z.y), wide = vec2(0.15 * tile_depth);
+    vec2 below = 1.0 - smoothstep(-wide, wide, start);
+    vec2 facing = max(-vec2(dot(normal, side_way_x), dot(normal, side_way_z)), 0.0) * below;
+    return side_light_x * facing.x * exp(-extinction * from_x.x) +
+           side_light_z * facing.y * exp(-extinction * from_z.x);
+}
+
 /* Radiance of a diffuse surface; `ambient` is its irradiance from all around, with what the water has scattered out of
  * the sun's beam. */
 vec3 receiver_radiance(vec3 point, vec3 normal, vec3 reflectance, vec3 ambient)
@@ -47,6 +64,9 @@ vec3 receiver_radiance(vec3 point, vec3 normal, vec3 reflectance, vec3 ambient)
     float depth = max(-point.y, 0.0), facing = max(dot(normal, -sun_way), 0.0);
     float lit = facing * shadow_light(point, normal, to_sun, facing > 0.0);
     vec3 sun = sun_below * volume_sun(depth) * lit * receiver_caustics(point);
+    vec2 from = abs(shadow_crossing(point, to_sun));
+    if (glass > 0.0)
+        sun = sun * step(max(from.x, from.y), glass) + receiver_sides(point, normal);
     return reflectance / SKY_PI * (sun + ambient);
 }
 #else
