@@ -27,12 +27,6 @@ static bool is_obj(const char *bytes, size_t length)
     return strlen(bytes) == length && (!strncmp(bytes, "v ", 2) || strstr(bytes, "\nv "));
 }
 
-uint32_t mesh_little_endian(const char *bytes)
-{
-    const unsigned char *b = (const unsigned char *)bytes;
-    return b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24;
-}
-
 /* Text, or 80 bytes, a number of triangles, and 50 bytes for each. */
 static bool is_stl(const char *bytes, size_t length)
 {

@@ -23,7 +23,11 @@ bool mesh_glb_is_sound(const char *bytes, size_t length, const char *path, const
 bool mesh_ply_is_sound(const char *bytes, size_t length, const char *path, const struct dpl_log *log);
 
 /* Four bytes as a number, the lowest first. */
-uint32_t mesh_little_endian(const char *bytes);
+static inline uint32_t mesh_little_endian(const char *bytes)
+{
+    const unsigned char *b = (const unsigned char *)bytes;
+    return b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24;
+}
 
 /* True where numbers that point to others are in range, coordinates are finite, and there are triangles, not too many.
  */
