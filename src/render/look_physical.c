@@ -63,8 +63,8 @@ static bool prepare(void *state, const struct frame *frame)
         return false;
     physical->light = physical_light(&physical->sky, frame);
     bool ok = update_layers(physical, frame) && rings_ready(&physical->rings, gl, RINGS, RING_VERTICES) &&
-              shadow_prepare(&physical->shadow, frame, physical) && solids_prepare(&physical->solids, gl) &&
-              seabed_prepare(&physical->seabed, frame, &physical->world) && ambient_update(physical, frame) &&
+              shadow_prepare(&physical->shadow, frame, physical) && solids_prepare(&physical->solids, gl, physical) &&
+              seabed_prepare(&physical->seabed, frame, physical) && ambient_update(physical, frame) &&
               shafts_prepare(&physical->shafts, frame, &physical->quality) && prepare_programs(physical, gl) &&
               waves_update(&physical->waves, frame);
     if (ok) {

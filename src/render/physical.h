@@ -87,8 +87,11 @@ struct shadow {
     double square[4], thrown_square[4], span[2]; /* as in render/shadow.glsl */
 };
 
+/* Dry, wet, and wet in a tank, which its panes light too. */
+enum solid_kind { SOLID_DRY, SOLID_WET, SOLID_IN_TANK, SOLID_KINDS };
+
 struct solids {
-    struct gpu_program programs[2]; /* of what is dry, of what is wet */
+    struct gpu_program programs[SOLID_KINDS];
     GLuint array, vertices, ambient, indices;
     uint64_t fingerprint; /* of the world that is in the buffers */
     struct part_extent {
@@ -105,7 +108,7 @@ struct solids {
 enum seabed_kind { SEABED_SAND, SEABED_PATTERN, SEABED_KINDS };
 
 struct seabed {
-    struct gpu_program mesh, programs[SEABED_KINDS];
+    struct gpu_program mesh, programs[2][SEABED_KINDS]; /* of open water, of a tank */
     struct gpu_texture relief, ambient;
     double ambient_square[3]; /* m: least x and z, side */
     uint64_t fingerprint;
@@ -188,7 +191,7 @@ void shadow_draw(struct shadow *shadow, const struct frame *frame, const struct 
 void shadow_finish(struct shadow *shadow, struct dpl_gl *gl);
 
 /* Solids: `ambient` is the irradiance from all around at each vertex. */
-bool solids_prepare(struct solids *solids, struct dpl_gl *gl);
+bool solids_prepare(struct solids *solids, struct dpl_gl *gl, const struct physical *physical);
 bool solids_upload(struct solids *solids, struct dpl_gl *gl, const struct world *world, const float *ambient);
 /* Draws what is in the water (wet), or what is not, into a layer. */
 void solids_draw(const struct physical *physical, const struct frame *frame, enum physical_layer layer, bool wet);
@@ -199,7 +202,7 @@ void solids_cast(const struct solids *solids, struct dpl_gl *gl, const struct wo
 void solids_find_dry(struct solids *solids, const struct frame *frame, const struct world *world, double reach);
 void solids_finish(struct solids *solids, struct dpl_gl *gl);
 
-bool seabed_prepare(struct seabed *seabed, const struct frame *frame, const struct world *world);
+bool seabed_prepare(struct seabed *seabed, const struct frame *frame, const struct physical *physical);
 void seabed_draw(const struct physical *physical, const struct frame *frame, enum physical_layer layer);
 void seabed_finish(struct seabed *seabed, struct dpl_gl *gl);
 

@@ -1,4 +1,4 @@
-/* The light on a solid's surface: with WET, in the water; without, above it. */
+/* The light on a solid's surface: with WET, in the water, with TANK, in an aquarium's; without, above it. */
 #include "light/map.glsl"
 #include "render/waves.glsl"
 #include "render/shadow.glsl"
@@ -40,7 +40,8 @@ vec3 receiver_caustics(vec3 point)
     return caustics != 0 ? light : vec3(1.0);
 }
 
-uniform float glass;                      /* m, half a side of a tank; 0: it is none */
+#ifdef TANK
+uniform float glass;                     /* m, half a side of the tank */
 uniform vec3 side_way_x, side_way_z;     /* unit vectors: the sun's light in it from the panes across x and z */
 uniform vec3 side_light_x, side_light_z; /* irradiance across these */
 
@@ -56,6 +57,7 @@ vec3 receiver_sides(vec3 point, vec3 normal)
     return side_light_x * facing.x * exp(-extinction * from_x.x) +
            side_light_z * facing.y * exp(-extinction * from_z.x);
 }
+#endif
 
 /* Radiance of a diffuse surface; `ambient` is its irradiance from all around, with what the water has scattered out of
  * the sun's beam. */
@@ -64,9 +66,10 @@ vec3 receiver_radiance(vec3 point, vec3 normal, vec3 reflectance, vec3 ambient)
     float depth = max(-point.y, 0.0), facing = max(dot(normal, -sun_way), 0.0);
     float lit = facing * shadow_light(point, normal, to_sun, facing > 0.0);
     vec3 sun = sun_below * volume_sun(depth) * lit * receiver_caustics(point);
+#ifdef TANK
     vec2 from = abs(shadow_crossing(point, to_sun));
-    if (glass > 0.0)
-        sun = sun * step(max(from.x, from.y), glass) + receiver_sides(point, normal);
+    sun = sun * step(max(from.x, from.y), glass) + receiver_sides(point, normal);
+#endif
     return reflectance / SKY_PI * (sun + ambient);
 }
 #else

@@ -32,14 +32,23 @@ static bool upload_relief(struct seabed *seabed, const struct frame *frame, cons
     return true;
 }
 
-bool seabed_prepare(struct seabed *seabed, const struct frame *frame, const struct world *world)
+static int in_tank(const struct physical *physical)
 {
-    static const char *const defines[SEABED_KINDS] = {"#define WET\n#define ON_FLOOR\n",
-                                                      "#define WET\n#define ON_FLOOR\n#define PATTERN\n"};
+    return physical->light.glass > 0;
+}
+
+bool seabed_prepare(struct seabed *seabed, const struct frame *frame, const struct physical *physical)
+{
+    static const char *const defines[2][SEABED_KINDS] = {
+        {"#define WET\n#define ON_FLOOR\n", "#define WET\n#define ON_FLOOR\n#define PATTERN\n"},
+        {"#define WET\n#define TANK\n#define ON_FLOOR\n",
+         "#define WET\n#define TANK\n#define ON_FLOOR\n#define PATTERN\n"}};
+    const struct world *world = &physical->world;
+    int tank = in_tank(physical);
     if (!program_ready(frame->gl, &seabed->mesh, "render/seabed_mesh.glsl", ""))
         return false;
     for (int i = 0; i < SEABED_KINDS; i++)
-        if (!program_ready(frame->gl, seabed->programs + i, "render/seabed.glsl", defines[i]))
+        if (!program_ready(frame->gl, seabed->programs[tank] + i, "render/seabed.glsl", defines[tank][i]))
             return false;
     if (seabed->relief.name && seabed->fingerprint == world->fingerprint)
         return true;
@@ -68,7 +77,7 @@ void seabed_draw(const struct physical *physical, const struct frame *frame, enu
     struct dpl_gl *gl = frame->gl;
     const struct dpl_scene *scene = frame->scene;
     enum seabed_kind kind = scene->floor.pattern == WORLD_PLAIN ? SEABED_SAND : SEABED_PATTERN;
-    const struct gpu_program *program = physical->seabed.programs + kind;
+    const struct gpu_program *program = physical->seabed.programs[in_tank(physical)] + kind;
     draw_mesh(physical, frame, layer);
     layer_resume(gl, physical->layers + layer);
     program_use(gl, program);
@@ -86,8 +95,10 @@ void seabed_draw(const struct physical *physical, const struct frame *frame, enu
 void seabed_finish(struct seabed *seabed, struct dpl_gl *gl)
 {
     program_finish(gl, &seabed->mesh);
-    for (int i = 0; i < SEABED_KINDS; i++)
-        program_finish(gl, seabed->programs + i);
+    for (int i = 0; i < SEABED_KINDS; i++) {
+        program_finish(gl, seabed->programs[0] + i);
+        program_finish(gl, seabed->programs[1] + i);
+    }
     texture_finish(gl, &seabed->relief);
     texture_finish(gl, &seabed->ambient);
 }

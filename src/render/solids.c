@@ -8,10 +8,17 @@
 
 enum { ATTRIBUTE_POSITION, ATTRIBUTE_NORMAL, ATTRIBUTE_COLOR, ATTRIBUTE_PLACE, ATTRIBUTE_SWAY, ATTRIBUTE_AMBIENT };
 
-bool solids_prepare(struct solids *solids, struct dpl_gl *gl)
+static enum solid_kind wet_kind(const struct physical *physical)
 {
-    return program_ready(gl, solids->programs, "render/solid.glsl", "") &&
-           program_ready(gl, solids->programs + 1, "render/solid.glsl", "#define WET\n");
+    return physical->light.glass > 0 ? SOLID_IN_TANK : SOLID_WET;
+}
+
+bool solids_prepare(struct solids *solids, struct dpl_gl *gl, const struct physical *physical)
+{
+    static const char *const defines[SOLID_KINDS] = {"", "#define WET\n", "#define WET\n#define TANK\n"};
+    enum solid_kind wet = wet_kind(physical);
+    return program_ready(gl, solids->programs + SOLID_DRY, "render/solid.glsl", defines[SOLID_DRY]) &&
+           program_ready(gl, solids->programs + wet, "render/solid.glsl", defines[wet]);
 }
 
 static void attribute(struct dpl_gl *gl, GLuint index, int channels, size_t stride, size_t offset)
@@ -132,7 +139,7 @@ static void draw_parts(const struct physical *physical, const struct frame *fram
 void solids_draw(const struct physical *physical, const struct frame *frame, enum physical_layer layer, bool wet)
 {
     struct dpl_gl *gl = frame->gl;
-    const struct gpu_program *program = physical->solids.programs + wet;
+    const struct gpu_program *program = physical->solids.programs + (wet ? wet_kind(physical) : SOLID_DRY);
     const double *mirrors = physical->sight.mirrors;
     if (physical->world.index_count == 0)
         return;
@@ -165,8 +172,8 @@ void solids_cast(const struct solids *solids, struct dpl_gl *gl, const struct wo
 void solids_finish(struct solids *solids, struct dpl_gl *gl)
 {
     const GLuint buffers[] = {solids->vertices, solids->ambient, solids->indices};
-    program_finish(gl, solids->programs);
-    program_finish(gl, solids->programs + 1);
+    for (int i = 0; i < SOLID_KINDS; i++)
+        program_finish(gl, solids->programs + i);
     gl->DeleteVertexArrays(1, &solids->array);
     gl->DeleteBuffers(3, buffers);
     free(solids->extents);
