@@ -25,6 +25,17 @@ static void check_flat_floor(struct physical_fixture *fixture)
     dpl_scene_destroy(scene);
 }
 
+/* Mean radiance of a picture of side × side pixels, by the look and by the path tracer. */
+static void both_looks(struct physical_fixture *fixture, struct dpl_scene *scene, int side, double means[2])
+{
+    for (int i = 0; i < 2; i++) {
+        support_set(scene, "render.look", i ? "path-traced" : "physical");
+        struct dpl_image *image = physical_radiance(fixture, scene, side, side);
+        means[i] = physical_mean(image, 1);
+        dpl_image_destroy(image);
+    }
+}
+
 /* The floor under water that scatters, from near above it: what the path tracer has. What the water scatters out of the
  * sun's beam lights the floor too, and counts once. */
 static void check_cloudy_floor(struct physical_fixture *fixture)
@@ -37,12 +48,7 @@ static void check_cloudy_floor(struct physical_fixture *fixture)
     for (double scattering = 0; scattering < 0.5; scattering += 0.4) {
         double means[2];
         support_set(scene, "water.scattering", "%g %g %g", scattering, scattering, scattering);
-        for (int i = 0; i < 2; i++) {
-            support_set(scene, "render.look", i ? "path-traced" : "physical");
-            struct dpl_image *image = physical_radiance(fixture, scene, 32, 32);
-            means[i] = physical_mean(image, 1);
-            dpl_image_destroy(image);
-        }
+        both_looks(fixture, scene, 32, means);
         if (fabs(means[0] / means[1] - 1) > (scattering > 0 ? 0.12 : 0.01))
             fail_msg("scattering %g: %g, not %g", scattering, means[0], means[1]);
     }
@@ -61,12 +67,7 @@ static void check_side_light(struct physical_fixture *fixture)
     for (int middle = 0; middle < 2; middle++) {
         double x = middle ? 0.12 : 0.4, means[2];
         physical_look(scene, (const double[3]){x, 0.5, 0.05}, (const double[3]){x, -0.6, 0.05}, 4);
-        for (int i = 0; i < 2; i++) {
-            support_set(scene, "render.look", i ? "path-traced" : "physical");
-            struct dpl_image *image = physical_radiance(fixture, scene, 16, 16);
-            means[i] = physical_mean(image, 1);
-            dpl_image_destroy(image);
-        }
+        both_looks(fixture, scene, 16, means);
         if (fabs(means[0] / means[1] - 1) > 0.06)
             fail_msg("%g m from the middle: %g, not %g", x, means[0], means[1]);
         near_pane = middle ? near_pane / means[0] : means[0];

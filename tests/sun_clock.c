@@ -27,7 +27,7 @@ static double arc(double elevation, double bearing, const double wanted[2])
 
 /* Elevation above the horizon, with refraction, and bearing: the example of Reda & Andreas 2004 (table A5.1); results
  * of NREL's program (Hemphill; Philadelphia and Kyiv, without refraction, which is added here: 0.01°); three places of
- * the sun that came with satellites' pictures, the last with the hour to the minute only. */
+ * the sun that came with satellites' pictures, of which the last is 0.034° off, for a reason that is not known. */
 static void the_sun_stands_where_others_say(void **state)
 {
     static const struct {

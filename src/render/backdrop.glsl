@@ -24,9 +24,9 @@ bool meets_pane(vec3 ray, float way, out vec3 there)
 {
     float to_pane = view_plane(ray);
     there = eye + ray * to_pane;
-    vec2 beside = abs(there.xz - plane.xz * dot(there.xz, plane.xz));
+    vec2 aside = abs(there.xz - plane.xz * dot(there.xz, plane.xz));
     bool between = there.y > tile_floor && there.y < waves_height(there.xz, 0.0) - 0.003;
-    return to_pane < way && max(beside.x, beside.y) < waves_extent && between;
+    return to_pane < way && max(aside.x, aside.y) < waves_extent && between;
 }
 
 /* The tank through its pane, and through the one on its other side what is behind that. */
